@@ -1,0 +1,128 @@
+# fuzzy51: see `make help`, README.md and, for one board, firmware/boards/.
+
+# --- knobs ------------------------------------------------------------------------------------
+BOARD    ?=#                   one board of firmware/boards; empty: all of them
+TABLE    ?= tables/brake.fis#  the brake's fuzzy system
+V        ?=#                   V=1 prints each command
+UNITY_DIR ?=#                  a checkout of Unity in place of Debian's copy
+CFLAGS   ?= -O2 -g
+
+# --- the rest ---------------------------------------------------------------------------------
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+SHELL     := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+.DEFAULT_GOAL := all
+Q := $(if $(V),,@)
+export UNITY_DIR
+
+BOARDS := $(sort $(basename $(notdir $(wildcard firmware/boards/*.mk))))
+ifneq ($(BOARD),)
+ifeq ($(filter $(BOARD),$(BOARDS)),)
+$(error no board '$(BOARD)'; the boards are: $(BOARDS))
+endif
+endif
+
+.PHONY: all tools firmware demo test help clean deps
+all: tools firmware
+
+help:
+	@echo "make                 tools and firmware of all boards, with the memory each takes"
+	@echo "make BOARD=NAME      one board: $(BOARDS)"
+	@echo "make demo            a car stops behind another one, with the real firmware in the simulator"
+	@echo "make test            all tests; ends with 'N passed, N failed'"
+	@echo "make deps            installs what the build needs"
+	@echo "make clean           removes build/"
+
+deps:
+	@tools/deps.sh build
+
+clean:
+	$(Q)rm -rf build
+
+# --- host tools -------------------------------------------------------------------------------
+HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror -MMD -Itools/common -Ibuild
+SANITIZE   := -fsanitize=address,undefined -fno-sanitize-recover=all
+
+COMMON_SRC := $(wildcard tools/common/*.c)
+FISTAB_SRC := $(wildcard tools/fistab/*.c) $(COMMON_SRC)
+DRIVE_SRC  := $(wildcard tools/drive/*.c) $(COMMON_SRC)
+DRIVE_LIBS := -linih -lcjson
+
+tools: build/fistab build/drive
+
+build/fistab: $(FISTAB_SRC:%.c=build/host/%.o)
+	$(Q)$(CC) $(CFLAGS) $^ -lm -o $@
+build/drive: $(DRIVE_SRC:%.c=build/host/%.o)
+	$(Q)$(CC) $(CFLAGS) $^ $(DRIVE_LIBS) -lm -o $@
+build/host/%.o: %.c | build/boards.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(HOST_FLAGS) -c $< -o $@
+build/sanitized/%.o: %.c | build/boards.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) -g -O1 $(SANITIZE) $(HOST_FLAGS) -c $< -o $@
+
+# What drive must know of a board, taken from the fragment that builds its firmware.
+build/boards.h: $(wildcard firmware/boards/*.mk)
+	@mkdir -p $(@D)
+	$(Q)for board in $^; do \
+	    awk -v name="$$(basename $$board .mk)" '$$2 == ":=" { value[$$1] = $$3 } END { \
+	        printf "BOARD(%s, %s, \"%s\", %s, %s, %s, %s, %s, %s, %s)\n", name, value["CLK_HZ"], value["S51_TYPE"], \
+	            value["PIN_PWM"], value["PIN_STOP"], value["PIN_TRIGGER"], value["PIN_LAMP"], value["PIN_BUZZER"], \
+	            value["PIN_ECHO"], value["PIN_OVERRIDE"] }' $$board; \
+	done >$@.part; mv $@.part $@
+
+# --- firmware: one board in this make, or one make a board ------------------------------------
+ifeq ($(BOARD),)
+.PHONY: $(BOARDS:%=firmware-%)
+firmware: $(BOARDS:%=firmware-%)
+$(BOARDS:%=firmware-%): firmware-%: build/fistab
+	@$(MAKE) BOARD=$* firmware
+else
+include firmware/boards/$(BOARD).mk
+OUT := build/$(BOARD)
+
+# Modules of each app; main comes first in the link, as SDCC's manual asks.
+MCU_MODULES := $(basename $(wildcard firmware/mcu/*.c))
+brake_TABLE := $(TABLE)
+brake_CORE  := $(basename $(wildcard firmware/core/*.c))
+
+SDCC       := sdcc -mmcs51 --std-c11 --model-small --Werror
+SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
+    $(foreach pin,PWM STOP TRIGGER LAMP BUZZER ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
+SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
+
+.PHONY: firmware
+firmware: $(APPS:%=$(OUT)/%.hex)
+	@for app in $(APPS); do tools/memory.sh $(BOARD) $$app; done
+
+define app_rules
+$(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)build/fistab table $$< --name=lut --encoding=$(ENCODING) -o $$@
+$(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)$(SDCC) $(SDCC_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
+$(OUT)/$(1).ihx: $$(patsubst firmware/%,$(OUT)/$(1)/%.rel,firmware/apps/$(1) $$(MCU_MODULES) $$($(1)_CORE))
+	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
+endef
+$(foreach app,$(APPS),$(eval $(call app_rules,$(app))))
+
+$(OUT)/%.hex: $(OUT)/%.ihx
+	$(Q)packihx $< >$@ 2>/dev/null
+
+# Changes when a knob does, so that objects of other settings are never linked.
+$(OUT)/board.stamp: FORCE
+	@mkdir -p $(@D); echo '$(TABLE) $(ENCODING) $(SDCC_FLAGS)' | cmp -s - $@ || echo '$(TABLE) $(ENCODING) $(SDCC_FLAGS)' >$@
+FORCE:
+
+-include $(wildcard $(OUT)/*/*/*.d)
+endif
+
+# --- targets that install what they need first -------------------------------------------------
+demo test:
+	@tools/deps.sh $@
+	@$(MAKE) run-$@
+
+-include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d)

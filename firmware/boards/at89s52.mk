@@ -1,0 +1,22 @@
+# AT89S52: 8 KB of code in all, so the table is packed; a watchdog of 16,384 machine cycles.
+CHIP       := AT89S52
+S51_TYPE   := 51R
+CLK_HZ     := 12000000
+CODE_BYTES := 8192
+IRAM_BYTES := 256
+ENCODING   := packed
+WATCHDOG   := at89s52
+FAULT_PCT  := 60
+APPS       := brake
+
+# Pins by their bit address: 0x90 is P1.0, 0xB2 is P3.2. All are high during reset, which is full
+# brake and stop, lamp and buzzer off. The echo must be P3.2: it gates timer 0.
+PIN_PWM      := 0x90
+PIN_STOP     := 0x91
+PIN_TRIGGER  := 0x92
+PIN_LAMP     := 0x93
+PIN_BUZZER   := 0x94
+PIN_ECHO     := 0xB2
+PIN_OVERRIDE := 0xB3
+
+FLASH = avrdude -p AT89S52 -c usbasp -P $(PORT) -U flash:w:$(HEX):i

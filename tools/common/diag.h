@@ -1,0 +1,41 @@
+/* How every host tool complains and writes: one line on stderr that says what is wrong and what to
+ * do, one exit status a kind of failure, and no half-written file. */
+#ifndef FUZZY51_DIAG_H
+#define FUZZY51_DIAG_H
+
+#include <stdio.h>
+
+enum exit_status {
+    EXIT_FINE = 0,
+    EXIT_INPUT = 1, /* bad input, or an outcome that does not hold; nothing was written */
+    EXIT_USAGE = 2, /* bad usage; in drive also: the simulator failed */
+};
+
+/* Prints "FILE:LINE: error: WHAT" (LINE 0: without the line; FILE NULL: the program's name in its
+ * place) and returns EXIT_INPUT, so that a caller can `return diag_error(...)`. WHAT says what is
+ * wrong and what to do about it. */
+int diag_error(const char *file, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The same for something that is allowed but is likely not meant: "FILE:LINE: warning: WHAT". */
+void diag_warning(const char *file, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* A file that appears whole or not at all: written beside its place under a temporary name. */
+struct outfile {
+    FILE *stream;
+    char *path;
+    char *temporary;
+};
+
+/* Opens PATH for writing. Returns EXIT_FINE, or EXIT_INPUT after a message. */
+int outfile_open(struct outfile *out, const char *path);
+
+/* Renames the file to its place. Returns EXIT_FINE, or EXIT_INPUT after a message (disk full, ...),
+ * with nothing left behind. */
+int outfile_commit(struct outfile *out);
+
+/* Takes the temporary file away; does nothing after a commit. */
+void outfile_abandon(struct outfile *out);
+
+#endif
