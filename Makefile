@@ -120,6 +120,32 @@ FORCE:
 -include $(wildcard $(OUT)/*/*/*.d)
 endif
 
+# --- tests ------------------------------------------------------------------------------------
+# Every suite prints PLACE:LINE:NAME:PASS|FAIL lines; tests/run.sh adds them up.
+UNITY       := build/deps/unity/src
+UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion
+
+# Host tools: each tests/tools/test_X.c is a Unity program against the tools' own objects, sanitized.
+TOOL_TESTS := $(patsubst %.c,build/%,$(wildcard tests/tools/test_*.c))
+define sanitized_library
+build/sanitized/lib$(1).a: $(patsubst %.c,build/sanitized/%.o,$(filter-out %/main.c,$(wildcard tools/$(1)/*.c)))
+	$$(Q)rm -f $$@; ar rcs $$@ $$^
+endef
+$(foreach tool,common fistab drive,$(eval $(call sanitized_library,$(tool))))
+build/sanitized/tests/%.o: HOST_FLAGS += $(UNITY_FLAGS)
+build/sanitized/unity.o: $(UNITY)/unity.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -g -O1 $(SANITIZE) -c $< -o $@
+$(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %,build/sanitized/lib%.a,fistab drive common)
+	@mkdir -p $(@D)
+	$(Q)$(CC) -g $(SANITIZE) $^ $(DRIVE_LIBS) -lm -o $@
+
+TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh)
+
+.PHONY: run-test
+run-test: all $(TOOL_TESTS)
+	@tests/run.sh $(foreach suite,$(TEST_SUITES),'$(suite)')
+
 # --- targets that install what they need first -------------------------------------------------
 demo test:
 	@tools/deps.sh $@

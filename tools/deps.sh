@@ -54,14 +54,14 @@ install_missing() {
 # Unity is in no package of its own, but whole inside the source package of cJSON. apt fetches and
 # checks it, with a source list of our own made from the machine's, so that its set-up stays as it is.
 fetch_unity() {
-    [ -f "$unity/unity.c" ] && return 0
+    [ -f "$unity/src/unity.c" ] && return 0
     if [ -n "${UNITY_DIR:-}" ]; then
         [ -f "$UNITY_DIR/src/unity.c" ] || {
             echo "deps.sh: error: UNITY_DIR=$UNITY_DIR has no src/unity.c; name a checkout of Unity" >&2
             exit 1
         }
         mkdir -p "$unity"
-        cp "$UNITY_DIR"/src/unity* "$unity/"
+        cp -R "$UNITY_DIR/src" "$unity/"
         return 0
     fi
     echo "deps.sh: fetching Unity (Debian source package cjson)"
@@ -84,10 +84,9 @@ fetch_unity() {
         echo "deps.sh: error: cannot fetch Unity; give a checkout of it: UNITY_DIR=... make test" >&2
         exit 1
     fi
-    tar -xf "$work"/download/cjson_*.orig.tar.gz -C "$work/download" --wildcards '*/tests/unity/src/*'
-    mkdir -p "$unity.part"
-    cp "$work"/download/*/tests/unity/src/unity* "$unity.part/"
-    mv "$unity.part" "$unity"
+    tar -xf "$work"/download/cjson_*.orig.tar.gz -C "$work/download" --wildcards '*/tests/unity/*'
+    rm -rf "$unity"
+    mv "$work"/download/*/tests/unity "$unity"
     rm -rf "$work"
 }
 
