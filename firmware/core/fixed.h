@@ -1,0 +1,19 @@
+/* Products that the 8051 makes with its own `mul ab`. A plain `a * b` of wider types calls SDCC's
+ * __mulint or __mullong (up to 143 mc, and not safe in an interrupt), and its int has 16 bits. */
+#ifndef FUZZY51_FIXED_H
+#define FUZZY51_FIXED_H
+
+#include <stdint.h>
+
+/* a * b, every bit of it. 4 mc and the moves; always inline. */
+inline uint16_t mul_u8(uint8_t a, uint8_t b)
+{
+    /* SDCC takes the product of two bytes that lands in 16 unsigned bits as one `mul ab`. */
+    return (uint16_t)(a * b);
+}
+
+/* (a * b) >> 16: the part of a that b / 65536 says, rounded down. Four `mul ab`, 68 mc with
+ * return, whatever the values. Not for an interrupt that main's code shares it with. */
+uint16_t mul_hi_u16(uint16_t a, uint16_t b);
+
+#endif

@@ -1,0 +1,22 @@
+/* The controller's table, plain or packed, behind one function. Its data comes from the header that
+ * fistab writes (lut_table.h); only lut.c defines LUT_DATA and so holds it. */
+#ifndef FUZZY51_LUT_H
+#define FUZZY51_LUT_H
+
+#include <stdint.h>
+#include "cc51.h"
+#include "lut_table.h"
+
+/* The cell of output 1 at `row` (input 1, 0..LUT_IN1_CELLS-1) and `col` (input 2,
+ * 0..LUT_IN2_CELLS-1; 0 for a table of one input). The indices are not checked.
+ * Plain: 24 mc with return; 18 more for the call, as SDCC passes two bytes. */
+uint8_t lut_at(uint8_t row, uint8_t col);
+
+#define LUT_CRC16_START 0xFFFFU
+
+/* CRC-16/CCITT-FALSE over `count` (1..255) stored bytes from byte `offset` on (both inside
+ * LUT_BYTES), going on from `crc`. Slice by slice from LUT_CRC16_START over all LUT_BYTES it ends
+ * at LUT_CRC16. Under 32 + 44 * count mc, so that a watchdog can be fed between slices. */
+uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count);
+
+#endif
