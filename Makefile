@@ -86,7 +86,9 @@ OUT := build/$(BOARD)
 # Modules of each app; main comes first in the link, as SDCC's manual asks.
 MCU_MODULES := $(basename $(wildcard firmware/mcu/*.c))
 brake_TABLE := $(TABLE)
-brake_CORE  := $(basename $(wildcard firmware/core/*.c))
+# Of firmware/core, what only the controllers that live on frames need.
+FRAME_CORE  := $(addprefix firmware/core/,frame link)
+brake_CORE  := $(filter-out $(FRAME_CORE),$(basename $(wildcard firmware/core/*.c)))
 
 SDCC       := sdcc -mmcs51 --std-c11 --model-small --Werror
 SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \

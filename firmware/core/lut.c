@@ -25,14 +25,9 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
     const uint8_t __code *byte = lut_out1 + offset;
     uint8_t high = (uint8_t)(crc >> 8), low = (uint8_t)crc;
 
-    /* Eight steps of the polynomial x^16 + x^12 + x^5 + 1 at once, in bytes: no loop over bits and
-     * no table. */
     do {
-        uint8_t x = *byte ^ high;
+        CRC16_ADD(high, low, *byte);
         byte++;
-        x ^= x >> 4;
-        high = (uint8_t)(low ^ (uint8_t)(x << 4) ^ (x >> 3));
-        low = (uint8_t)((uint8_t)(x << 5) ^ x);
     } while (--count != 0);
     return (uint16_t)((uint16_t)(high << 8) | low);
 }

@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 #include "cc51.h"
+#include "crc16.h"
 #include "lut_table.h"
 
 /* The cell of output 1 at `row` (input 1, 0..LUT_IN1_CELLS-1) and `col` (input 2,
@@ -12,7 +13,7 @@
  * Plain: 24 mc with return; 18 more for the call, as SDCC passes two bytes. */
 uint8_t lut_at(uint8_t row, uint8_t col);
 
-#define LUT_CRC16_START 0xFFFFU
+#define LUT_CRC16_START CRC16_START
 
 /* CRC-16/CCITT-FALSE over `count` (1..255) stored bytes from byte `offset` on (both inside
  * LUT_BYTES), going on from `crc`. Slice by slice from LUT_CRC16_START over all LUT_BYTES it ends

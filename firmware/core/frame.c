@@ -1,0 +1,106 @@
+/* The receiver of frames, a byte at a time. */
+#include "frame.h"
+#include <stdbool.h>
+#include "crc16.h"
+
+#define START_BIT   0x80U
+#define KIND_MASK   0xF0U /* with the start bit */
+#define COUNT_MASK  0x0FU
+#define COUNT_NONE  0xFFU
+#define GROUP_BYTES 7
+
+__idata uint8_t frame_body[FRAME_BODY_MAX];
+
+static uint8_t start_and_kind; /* what the start byte must be, but for its count */
+static uint8_t body_bytes;     /* payload and check sum */
+static uint8_t filled;         /* body bytes so far */
+static uint8_t group_left;     /* bytes that the group still brings; 0: its top bits come next */
+static uint8_t top_bits;
+static uint8_t count;      /* of the frame coming in */
+static uint8_t count_last; /* of the last good one */
+static uint8_t crc_high, crc_low;
+static bool inside; /* between a start byte and the last byte of its frame */
+static uint16_t bad;
+
+void frame_init(uint8_t kind, uint8_t payload_bytes)
+{
+    start_and_kind = (uint8_t)(START_BIT | (kind << 4));
+    body_bytes = (uint8_t)(payload_bytes + 2);
+    count_last = COUNT_NONE;
+    inside = false;
+    bad = 0;
+}
+
+void frame_refuse(void)
+{
+    if (bad != UINT16_MAX)
+        bad++;
+}
+
+static uint8_t begin(uint8_t byte)
+{
+    bool cut_short = inside;
+
+    inside = (byte & KIND_MASK) == start_and_kind;
+    count = byte & COUNT_MASK;
+    filled = 0;
+    group_left = 0;
+    crc_high = (uint8_t)(CRC16_START >> 8);
+    crc_low = (uint8_t)CRC16_START;
+    CRC16_ADD(crc_high, crc_low, byte);
+    if (!cut_short)
+        return FRAME_NONE;
+    frame_refuse();
+    return FRAME_BAD;
+}
+
+uint8_t frame_push(uint8_t byte)
+{
+    if (byte & START_BIT)
+        return begin(byte);
+    if (!inside)
+        return FRAME_NONE;
+    if (group_left == 0) {
+        top_bits = byte;
+        group_left = GROUP_BYTES;
+        return FRAME_NONE;
+    }
+    group_left--;
+    if (top_bits & 1)
+        byte |= START_BIT;
+    top_bits >>= 1;
+    frame_body[filled] = byte;
+    filled++;
+    CRC16_ADD(crc_high, crc_low, byte);
+    if (filled != body_bytes)
+        return FRAME_NONE;
+
+    inside = false;
+    /* Its own sum taken into it makes a sum zero; top bits are left over only when they are wrong.
+     */
+    if ((crc_high | crc_low | top_bits) != 0 || count == count_last) {
+        frame_refuse();
+        return FRAME_BAD;
+    }
+    count_last = count;
+    return FRAME_GOOD;
+}
+
+uint16_t frame_bad_count(void)
+{
+    return bad;
+}
+
+uint16_t frame_u16(uint8_t at)
+{
+    return (uint16_t)((uint16_t)(frame_body[at] << 8) | frame_body[(uint8_t)(at + 1)]);
+}
+
+int32_t frame_i24(uint8_t at)
+{
+    uint32_t value = (uint32_t)frame_u16(at) << 8 | frame_body[(uint8_t)(at + 2)];
+
+    if (value & 0x800000UL)
+        value |= 0xFF000000UL;
+    return (int32_t)value;
+}

@@ -1,0 +1,221 @@
+/* Frames: what comes in good comes out as it was sent, and nothing else comes out. */
+#include "frame.h"
+#include "crc16.h"
+#include "unity.h"
+
+#define PAYLOAD_BYTES 6
+#define LINE_BYTES    FRAME_LINE_BYTES(PAYLOAD_BYTES)
+
+static const uint8_t payload[PAYLOAD_BYTES] = {0x00, 0xFF, 0x80, 0x7F, 0x12, 0xA5};
+static uint8_t line[LINE_BYTES];
+
+/* The frame as a sensor head makes it, plainly: the sum bit by bit, the groups one by one. */
+static void encode(uint8_t kind, uint8_t count)
+{
+    uint8_t body[PAYLOAD_BYTES + 2];
+    uint16_t crc = CRC16_START;
+    uint8_t at, bit, in, out;
+
+    line[0] = (uint8_t)(0x80 | (kind << 4) | count);
+    for (at = 0; at <= PAYLOAD_BYTES; at++) {
+        uint8_t byte = at == 0 ? line[0] : payload[at - 1];
+        for (bit = 0; bit < 8; bit++) {
+            uint8_t differs = (uint8_t)((crc >> 15) ^ (byte >> 7));
+            crc = (uint16_t)(crc << 1);
+            if (differs)
+                crc ^= 0x1021;
+            byte = (uint8_t)(byte << 1);
+        }
+        if (at != 0)
+            body[at - 1] = payload[at - 1];
+    }
+    body[PAYLOAD_BYTES] = (uint8_t)(crc >> 8);
+    body[PAYLOAD_BYTES + 1] = (uint8_t)crc;
+
+    out = 0;
+    for (in = 0; in < PAYLOAD_BYTES + 2; in++) {
+        if (in % 7 == 0) {
+            out++;
+            line[out] = 0;
+            for (bit = 0; bit < 7 && in + bit < PAYLOAD_BYTES + 2; bit++)
+                if (body[in + bit] & 0x80)
+                    line[out] |= (uint8_t)(1 << bit);
+        }
+        out++;
+        line[out] = body[in] & 0x7F;
+    }
+}
+
+/* The worst of the results over the bytes from..to-1. */
+static uint8_t push(uint8_t from, uint8_t to)
+{
+    uint8_t worst = FRAME_NONE;
+
+    for (; from < to; from++) {
+        uint8_t result = frame_push(line[from]);
+        if (result > worst)
+            worst = result;
+    }
+    return worst;
+}
+
+void setUp(void)
+{
+    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    encode(FRAME_PARK, 3);
+}
+
+void tearDown(void) {}
+
+static void test_check_sum_is_the_published_one(void)
+{
+    uint8_t high = 0xFF, low = 0xFF, digit;
+
+    for (digit = '1'; digit <= '9'; digit++)
+        CRC16_ADD(high, low, digit);
+
+    TEST_ASSERT_EQUAL_UINT8(0x29, high);
+    TEST_ASSERT_EQUAL_UINT8(0xB1, low);
+}
+
+static void test_a_good_frame_comes_out_as_it_was_sent(void)
+{
+    uint8_t at;
+
+    TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, LINE_BYTES - 1));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[LINE_BYTES - 1]));
+
+    for (at = 0; at < PAYLOAD_BYTES; at++)
+        TEST_ASSERT_EQUAL_UINT8(payload[at], frame_body[at]);
+    TEST_ASSERT_EQUAL_UINT16(0x00FF, frame_u16(0));
+    TEST_ASSERT_EQUAL_UINT16(0x12A5, frame_u16(4));
+    TEST_ASSERT_TRUE(frame_i24(0) == 0x00FF80L);
+    TEST_ASSERT_TRUE(frame_i24(1) == -32641L); /* 0xFF807F */
+    TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
+}
+
+static void test_only_the_start_byte_has_bit_7(void)
+{
+    uint8_t at;
+
+    TEST_ASSERT_TRUE(line[0] & 0x80);
+    for (at = 1; at < LINE_BYTES; at++)
+        TEST_ASSERT_FALSE(line[at] & 0x80);
+}
+
+static void test_each_flipped_bit_is_found(void)
+{
+    uint8_t at, bit;
+
+    for (at = 0; at < LINE_BYTES; at++) {
+        for (bit = 0; bit < 8; bit++) {
+            frame_init(FRAME_PARK, PAYLOAD_BYTES);
+            line[at] ^= (uint8_t)(1 << bit);
+            TEST_ASSERT_NOT_EQUAL(FRAME_GOOD, push(0, LINE_BYTES));
+            line[at] ^= (uint8_t)(1 << bit);
+            /* Whatever the flip did, the next whole frame is good. */
+            (void)push(0, LINE_BYTES - 1);
+            TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[LINE_BYTES - 1]));
+        }
+    }
+}
+
+static void test_two_exchanged_bytes_are_found(void)
+{
+    uint8_t at;
+
+    for (at = 1; at + 1 < LINE_BYTES; at++) {
+        uint8_t first = line[at];
+        if (first == line[at + 1])
+            continue;
+        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        line[at] = line[at + 1];
+        line[at + 1] = first;
+        TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, push(0, LINE_BYTES));
+        line[at + 1] = line[at];
+        line[at] = first;
+    }
+}
+
+static void test_receiver_that_wakes_inside_a_frame_takes_the_next(void)
+{
+    uint8_t from;
+
+    for (from = 1; from < LINE_BYTES; from++) {
+        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(from, LINE_BYTES));
+        (void)push(0, LINE_BYTES - 1);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[LINE_BYTES - 1]));
+        TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
+    }
+}
+
+static void test_frame_cut_short_costs_only_itself(void)
+{
+    uint8_t length;
+
+    for (length = 1; length < LINE_BYTES; length++) {
+        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, length));
+        TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, frame_push(line[0]));
+        TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(1, LINE_BYTES - 1));
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[LINE_BYTES - 1]));
+        TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
+    }
+}
+
+static void test_a_byte_too_much_is_found(void)
+{
+    uint8_t before;
+
+    for (before = 1; before < LINE_BYTES; before++) {
+        uint8_t result;
+        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        result = push(0, before);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, result);
+        /* A copy of the byte that follows could be that byte itself. */
+        result = frame_push((uint8_t)(line[before] ^ 0x55));
+        TEST_ASSERT_NOT_EQUAL(FRAME_GOOD, result);
+        TEST_ASSERT_NOT_EQUAL(FRAME_GOOD, push(before, LINE_BYTES));
+    }
+}
+
+static void test_same_count_again_is_a_head_that_repeats_itself(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, push(0, LINE_BYTES));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, push(0, LINE_BYTES));
+    encode(FRAME_PARK, 4);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, push(0, LINE_BYTES));
+    TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
+}
+
+static void test_other_kinds_are_passed_over(void)
+{
+    encode(FRAME_GAP, 3);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, LINE_BYTES));
+    TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
+}
+
+static void test_refused_values_count_as_bad(void)
+{
+    (void)push(0, LINE_BYTES);
+    frame_refuse();
+    TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_check_sum_is_the_published_one);
+    RUN_TEST(test_a_good_frame_comes_out_as_it_was_sent);
+    RUN_TEST(test_only_the_start_byte_has_bit_7);
+    RUN_TEST(test_each_flipped_bit_is_found);
+    RUN_TEST(test_two_exchanged_bytes_are_found);
+    RUN_TEST(test_receiver_that_wakes_inside_a_frame_takes_the_next);
+    RUN_TEST(test_frame_cut_short_costs_only_itself);
+    RUN_TEST(test_a_byte_too_much_is_found);
+    RUN_TEST(test_same_count_again_is_a_head_that_repeats_itself);
+    RUN_TEST(test_other_kinds_are_passed_over);
+    RUN_TEST(test_refused_values_count_as_bad);
+    return UNITY_END();
+}

@@ -1,0 +1,83 @@
+/* The sign-of-life watch: three good frames to trust, 200 ms of silence to stop trusting. */
+#include "link.h"
+#include "unity.h"
+
+void setUp(void)
+{
+    link_init();
+}
+
+void tearDown(void) {}
+
+static void bring_up(uint16_t now_ms)
+{
+    (void)link_good(now_ms);
+    (void)link_good(now_ms);
+    (void)link_good(now_ms);
+}
+
+static void test_link_is_lost_until_three_good_frames_in_a_row(void)
+{
+    TEST_ASSERT_FALSE(link_is_up(0));
+    TEST_ASSERT_FALSE(link_good(100));
+    TEST_ASSERT_FALSE(link_good(200));
+    TEST_ASSERT_TRUE(link_good(300));
+    TEST_ASSERT_TRUE(link_is_up(300));
+}
+
+static void test_bad_frame_breaks_the_row_but_not_the_link(void)
+{
+    (void)link_good(0);
+    (void)link_good(100);
+    link_bad();
+    TEST_ASSERT_FALSE(link_good(200));
+    TEST_ASSERT_FALSE(link_good(300));
+    TEST_ASSERT_TRUE(link_good(400));
+    link_bad();
+    TEST_ASSERT_TRUE(link_is_up(500));
+}
+
+static void test_silence_of_200_ms_loses_the_link(void)
+{
+    bring_up(1000);
+    TEST_ASSERT_TRUE(link_is_up(1199));
+    TEST_ASSERT_FALSE(link_is_up(1200));
+    TEST_ASSERT_FALSE(link_is_up(1199)); /* lost is lost */
+}
+
+static void test_bad_frames_are_no_sign_of_life(void)
+{
+    uint16_t now_ms;
+
+    bring_up(0);
+    for (now_ms = 20; now_ms < 200; now_ms += 20)
+        link_bad();
+    TEST_ASSERT_FALSE(link_is_up(200));
+}
+
+static void test_frame_after_a_silence_does_not_undo_it(void)
+{
+    bring_up(0);
+    TEST_ASSERT_FALSE(link_good(200));
+    TEST_ASSERT_FALSE(link_good(250));
+    TEST_ASSERT_TRUE(link_good(300));
+}
+
+static void test_clock_may_wrap(void)
+{
+    bring_up(65500U);
+    TEST_ASSERT_TRUE(link_is_up((uint16_t)(65500U + 199U)));
+    TEST_ASSERT_FALSE(link_is_up((uint16_t)(65500U + 200U)));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_link_is_lost_until_three_good_frames_in_a_row);
+    RUN_TEST(test_bad_frame_breaks_the_row_but_not_the_link);
+    RUN_TEST(test_silence_of_200_ms_loses_the_link);
+    RUN_TEST(test_bad_frames_are_no_sign_of_life);
+    RUN_TEST(test_frame_after_a_silence_does_not_undo_it);
+    RUN_TEST(test_clock_may_wrap);
+    return UNITY_END();
+}
