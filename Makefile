@@ -107,6 +107,7 @@ $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
 $(OUT)/$(1).ihx: $$(patsubst firmware/%,$(OUT)/$(1)/%.rel,firmware/apps/$(1) $$(MCU_MODULES) $$($(1)_CORE))
+	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
 	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
 endef
 $(foreach app,$(APPS),$(eval $(call app_rules,$(app))))

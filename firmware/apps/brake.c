@@ -1,0 +1,301 @@
+/* The brake controller: sensor -> closing speed -> table -> PWM, and the stop beside it. */
+#include "brake.h"
+#include "closing.h"
+#include "hal.h"
+#include "lamp.h"
+#include "lut_table.h"
+#include "range.h"
+#include "selftest.h"
+#include "telemetry.h"
+
+#define VERSION    "fuzzy51 1.0 brake"
+#define CONTROL_MS 60U  /* the sensor's pace */
+#define SETTLE_MS  60U  /* from the brake's release after the self-test to the first measurement */
+#define IDLE_MS    100U /* an echo cut off by a reset is over by then */
+
+#if HAL_TICK_MS != 10
+#error a tick must be 10 ms: the brake counts in hundredths of a second
+#endif
+
+static uint8_t tick;            /* seen, as hal_ticks counts */
+static uint16_t seconds, milliseconds;
+
+static bool is_testing;         /* the self-test at boot runs */
+static uint8_t table_test;      /* enum selftest */
+static uint8_t idle_wait;       /* ticks */
+
+static uint8_t until_trigger;   /* ticks */
+static uint8_t triggered;       /* tick */
+static uint8_t elapsed_cs;      /* between the last two triggers */
+static bool is_measuring;
+
+static uint16_t seq;            /* control steps */
+static uint16_t dropped;        /* lines of them */
+static bool is_talking;
+static char command;            /* waits for the line under way to end; 0: none */
+#define SAY_HEADER '\1'
+
+static const char __code TITLE[] = "# " VERSION " %s table=%x reset=%s\r\n";
+static const char __code HEADER[] = "seq,ms,dist_mm,closing_mmps,row,col,brake_pct,state,fault\r\n";
+static const char __code LINE[] = "%u,%o%m,%o,%s%u,%u,%u,%u,%s,%u\r\n";
+static const char __code STATUS[] = "# state=%s fault=%u dropped=%u stack_unused=%u\r\n";
+static const char __code HELP[] = "# ? help, v version, s status, t telemetry on/off\r\n";
+static const char __code UNKNOWN[] = "# unknown command; ? for help\r\n";
+static const char __code ON[] = "# telemetry on\r\n";
+static const char __code OFF[] = "# telemetry off\r\n";
+static const char __code BOARD[] = BOARD_NAME;
+static const char __code *const __code STATES[] = {"RELEASED", "CONTROL", "STOP", "FAULT"};
+static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
+
+static void apply(void)
+{
+    hal_stop_set(brake.stop);
+    hal_brake_set(brake.brake_pct);
+}
+
+/* One line a control step; dropped, and counted, when the one before is not out. */
+static void report(uint16_t dist_mm)
+{
+    union telemetry_value __idata *value = telemetry_values;
+    uint16_t speed_mmps = BRAKE_SPEED.closing_mmps;
+
+    seq++;
+    if (!is_talking) {
+        return;
+    }
+    if (telemetry_is_busy() || command != 0) {
+        dropped++;
+        return;
+    }
+    value[0].number = seq;
+    value[1].number = seconds;
+    value[2].number = milliseconds;
+    value[3].number = dist_mm;
+    value[4].text = "";
+    if (BRAKE_SPEED.opening_mmps != 0) {
+        value[4].text = "-";
+        speed_mmps = BRAKE_SPEED.opening_mmps;
+    }
+    value[5].number = speed_mmps;
+    value[6].number = brake.row;
+    value[7].number = brake.col;
+    value[8].number = brake.brake_pct;
+    value[9].text = STATES[brake.state];
+    value[10].number = brake.fault;
+    telemetry_say(LINE);
+}
+
+/* From the end of the echo, or of the wait for it, to the pins. */
+static void control_step(uint8_t echo)
+{
+    uint8_t kind = RANGE_NOT_RISEN;
+    uint16_t dist_mm = 0;
+
+    is_measuring = false;
+    if (echo == HAL_ECHO_DONE) {
+        dist_mm = range_mm(hal_echo_ticks());
+        kind = range_kind(dist_mm);
+        if (kind != RANGE_ECHO) {
+            dist_mm = 0;
+        } else if (brake_must_stop(dist_mm)) {
+            hal_stop_set(true); /* before estimator and table, whatever they say */
+            hal_brake_set(100);
+        }
+    } else if (echo == HAL_ECHO_NOT_FALLEN) {
+        kind = RANGE_NOT_FALLEN;
+    }
+    brake_step(kind, dist_mm, elapsed_cs);
+    apply();
+    report(dist_mm);
+}
+
+static void measure(void)
+{
+    uint8_t now = hal_ticks();
+
+    if (is_measuring) {
+        control_step(hal_echo());
+    }
+    elapsed_cs = now - triggered;
+    triggered = now;
+    hal_trigger();
+    is_measuring = true;
+}
+
+static void finish_selftest(uint8_t fault)
+{
+    is_testing = false;
+    until_trigger = SETTLE_MS / HAL_TICK_MS;
+    brake_init(fault);
+    apply();
+}
+
+/* The brake stays on until all is found good. */
+static void test(void)
+{
+    uint8_t fault = BRAKE_FAULT_NONE;
+
+    if (table_test == SELFTEST_RUNNING) {
+        table_test = selftest_table();
+        return;
+    }
+    if (!hal_ram_is_good()) {
+        fault = BRAKE_FAULT_RAM;
+    } else if (table_test == SELFTEST_FAILED) {
+        fault = BRAKE_FAULT_TABLE;
+    } else if (hal_echo_is_high()) {
+        if (idle_wait != 0) { /* the last echo before the reset may still be under way */
+            return;
+        }
+        fault = BRAKE_FAULT_IDLE;
+    } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
+        fault = BRAKE_FAULT_WATCHDOG;
+    }
+    finish_selftest(fault);
+}
+
+static void show(void)
+{
+    uint8_t pattern = LAMP_OFF;
+
+    if (brake.fault >= BRAKE_FAULT_TABLE) {
+        pattern = (uint8_t)(brake.fault - BRAKE_FAULT_TABLE + 2U);
+    } else if (brake.state == BRAKE_FAULT) {
+        pattern = LAMP_ON;
+    } else if (brake.warn) {
+        pattern = LAMP_FLICKER;
+    }
+    hal_lamp_set(lamp_tick(pattern));
+    hal_buzzer_set(brake.warn);
+}
+
+static void advance_clock(void)
+{
+    milliseconds += HAL_TICK_MS;
+    if (milliseconds == 1000) {
+        milliseconds = 0;
+        seconds++;
+    }
+}
+
+static void listen(void)
+{
+    char c = hal_uart_get();
+
+    if (c != 0 && c != '\r' && c != '\n') {
+        command = c;
+    }
+}
+
+static void title(void)
+{
+    telemetry_values[0].text = BOARD;
+    telemetry_values[1].number = LUT_CRC16;
+    telemetry_values[2].text = RESETS[hal_reset_cause()];
+    telemetry_say(TITLE);
+}
+
+static void status(void)
+{
+    telemetry_values[0].text = STATES[brake.state];
+    telemetry_values[1].number = brake.fault;
+    telemetry_values[2].number = dropped;
+    telemetry_values[3].number = hal_stack_unused();
+    telemetry_say(STATUS);
+}
+
+/* Unknown input is answered, never obeyed. */
+static void answer(void)
+{
+    char asked = command;
+
+    command = 0;
+    switch (asked) {
+    case 'v':
+        title();
+        command = SAY_HEADER;
+        break;
+    case SAY_HEADER:
+        telemetry_say(HEADER);
+        break;
+    case 's':
+        status();
+        break;
+    case 't':
+        is_talking = !is_talking;
+        telemetry_say(is_talking ? ON : OFF);
+        break;
+    case '?':
+        telemetry_say(HELP);
+        break;
+    default:
+        telemetry_say(UNKNOWN);
+    }
+}
+
+static void talk(void)
+{
+    char c;
+
+    if (!hal_uart_ready()) {
+        return;
+    }
+    c = telemetry_next();
+    if (c != 0) {
+        hal_uart_put(c);
+    } else if (command != 0) {
+        answer();
+    }
+}
+
+void main(void)
+{
+    /* Must be first: the pins are safe, the clock runs. */
+    hal_init();
+
+    /* In any order. */
+    is_testing = true;
+    is_talking = true;
+    idle_wait = IDLE_MS / HAL_TICK_MS;
+    command = 'v';
+    tick = hal_ticks();
+
+    for (;;) {
+        /* Every round, less than a millisecond. */
+        if (is_testing) {
+            test();
+        } else if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
+            control_step(HAL_ECHO_DONE);
+        }
+        talk();
+        listen();
+        if (hal_ticks() == tick) {
+            continue;
+        }
+
+        /* Every 10 ms. */
+        tick++;
+        advance_clock();
+        if (is_testing) {
+            idle_wait -= table_test != SELFTEST_RUNNING && idle_wait != 0;
+        } else {
+            brake_tick(hal_override_held());
+            if (!hal_stack_is_good()) {
+                brake_fail(BRAKE_FAULT_STACK);
+            }
+            apply();
+            show();
+
+            /* Every 60 ms. */
+            if (--until_trigger == 0) {
+                until_trigger = CONTROL_MS / HAL_TICK_MS;
+                measure();
+            }
+        }
+
+        /* Nothing above took so long that a tick went by unseen. */
+        if (hal_ticks() == tick) {
+            hal_watchdog_feed();
+        }
+    }
+}

@@ -1,0 +1,314 @@
+/* The brake's decision. */
+#include "brake.h"
+#include "closing.h"
+#include "fixed.h"
+#include "lut.h"
+#include "range.h"
+
+#if LUT_INPUTS != 2
+#error the brake needs a table of two inputs: distance in m, closing speed in m/s
+#endif
+#if !defined(LUT_IN1_MUL) || !defined(LUT_IN2_MUL)
+#error an axis of the table is too long: at most 65.535 m or m/s from end to end
+#endif
+#if LUT_IN1_MIN_MILLI < 0 || LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI > 65535
+#error the distance axis of the table must lie within 0..65.535 m
+#endif
+#if LUT_LEVELS != 100
+#error the brake needs a table of 0..100 percent
+#endif
+
+#define FAR_MM ((uint16_t)(LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI))
+
+struct brake_output brake;
+
+static uint8_t demand_pct;      /* what the brake does but for STOP and override */
+static __bit has_target;        /* the last good reading was an echo within the table */
+static __bit is_fault;
+static uint8_t good_readings;   /* in a row, while in FAULT */
+static uint8_t silence_cs;      /* since the last good reading */
+static uint8_t override_cs;
+static __bit is_latched;        /* STOP */
+static __bit is_sure;           /* of it: a second reading or a tracked approach said the same */
+static uint8_t doubts;          /* readings against it */
+static uint8_t opening_readings;
+static uint8_t lost_readings;   /* so many more "no target" are a missing echo */
+static uint16_t raw_mm;         /* the last echo, believed or not */
+static __bit is_stuck;
+static uint8_t calm_readings;
+
+static uint8_t row_of(uint16_t dist_mm)
+{
+    uint16_t x = dist_mm - (uint16_t)LUT_IN1_MIN_MILLI;
+
+    if (dist_mm <= (uint16_t)LUT_IN1_MIN_MILLI) {
+        return 0;
+    }
+    if (x >= (uint16_t)LUT_IN1_SPAN_MILLI) {
+        return LUT_IN1_CELLS - 1;
+    }
+    return (uint8_t)(mul_hi_u16(x, (uint16_t)LUT_IN1_MUL) >> LUT_IN1_SHIFT);
+}
+
+static uint8_t col_of(const struct closing_speed __data *speed)
+{
+    uint16_t x = speed->closing_mmps;
+
+#if LUT_IN2_MIN_MILLI > 0
+    if (x <= (uint16_t)LUT_IN2_MIN_MILLI) {
+        return 0;
+    }
+    x -= (uint16_t)LUT_IN2_MIN_MILLI;
+#elif LUT_IN2_MIN_MILLI < 0
+    if (speed->opening_mmps >= (uint16_t)-LUT_IN2_MIN_MILLI) {
+        return 0;
+    }
+    if (x > (uint16_t)LUT_IN2_SPAN_MILLI) {
+        return LUT_IN2_CELLS - 1;
+    }
+    x += (uint16_t)-LUT_IN2_MIN_MILLI - speed->opening_mmps;
+#endif
+    if (x >= (uint16_t)LUT_IN2_SPAN_MILLI) {
+        return LUT_IN2_CELLS - 1;
+    }
+    return (uint8_t)(mul_hi_u16(x, (uint16_t)LUT_IN2_MUL) >> LUT_IN2_SHIFT);
+}
+
+/* What the pins do, from what was decided. */
+static void settle(void)
+{
+    bool is_overridden = override_cs >= BRAKE_OVERRIDE_CS;
+
+    if (is_overridden) {
+        is_latched = false;
+    }
+    brake.stop = is_latched;
+    brake.brake_pct = is_latched ? 100 : is_overridden ? 0 : demand_pct;
+    if (is_fault) {
+        brake.state = BRAKE_FAULT;
+    } else if (is_latched) {
+        brake.state = BRAKE_STOP;
+    } else {
+        brake.state = has_target && !is_overridden ? BRAKE_CONTROL : BRAKE_RELEASED;
+    }
+}
+
+/* The brake never falls for want of a reading. */
+static void enter_fault(void)
+{
+    is_fault = true;
+    good_readings = 0;
+    closing_restart();
+#if FAULT_PCT > 0
+    if (demand_pct < FAULT_PCT) {
+        demand_pct = FAULT_PCT;
+    }
+#else
+    demand_pct = 0;
+#endif
+}
+
+void brake_init(uint8_t fault)
+{
+    closing_restart();
+    demand_pct = 0;
+    has_target = false;
+    is_fault = false;
+    silence_cs = 0;
+    override_cs = 0;
+    is_latched = false;
+    lost_readings = 0;
+    raw_mm = 0;
+    is_stuck = false;
+    brake.warn = false;
+    brake.row = 0;
+    brake.col = 0;
+    brake.fault = fault;
+    if (fault != BRAKE_FAULT_NONE) {
+        enter_fault();
+    }
+    settle();
+}
+
+void brake_fail(uint8_t fault)
+{
+    if (brake.fault < BRAKE_FAULT_TABLE) {
+        brake.fault = fault;
+        enter_fault();
+        settle();
+    }
+}
+
+bool brake_must_stop(uint16_t dist_mm)
+{
+    return dist_mm <= BRAKE_STOP_MM && override_cs < BRAKE_OVERRIDE_CS;
+}
+
+/* STOP comes with the first reading and stays, unless that reading stood alone: a glitch. */
+static void latch(uint16_t dist_mm, bool is_tracked)
+{
+    if (dist_mm <= BRAKE_STOP_MM) {
+        is_sure = is_latched || is_tracked;
+        is_latched = true;
+        doubts = 0;
+        opening_readings = 0;
+    } else if (is_latched && !is_sure) {
+        if (dist_mm <= BRAKE_RELEASE_MM) {
+            is_sure = true;
+        } else if (is_tracked || ++doubts == 2) {
+            is_latched = false;
+        }
+    }
+}
+
+static void unlatch(uint16_t dist_mm)
+{
+    if (dist_mm > BRAKE_RELEASE_MM && closing_smooth.opening_mmps > BRAKE_RELEASE_MMPS &&
+        closing_samples == 3) {
+        if (++opening_readings == 2) {
+            is_latched = false;
+        }
+    } else {
+        opening_readings = 0;
+    }
+}
+
+/* The same reading again, after a speed that cannot have ended meanwhile; and as long as it stays. */
+static bool repeats(uint16_t dist_mm)
+{
+    is_stuck = dist_mm == raw_mm && (is_stuck || closing_smooth.closing_mmps >= BRAKE_STUCK_MMPS ||
+                                     closing_smooth.opening_mmps >= BRAKE_STUCK_MMPS);
+    raw_mm = dist_mm;
+    return is_stuck;
+}
+
+/* How many "no target" it takes to believe that this target is gone. */
+static uint8_t farewell(uint16_t dist_mm)
+{
+    if (closing_samples == 1 || dist_mm > FAR_MM) {
+        return 0;
+    }
+    return closing_samples == 2 || dist_mm > BRAKE_NEAR_MM ? 1 : BRAKE_LOST_READINGS;
+}
+
+static void warn(uint16_t dist_mm)
+{
+    uint16_t closing_mmps = closing_smooth.closing_mmps;
+
+    if (closing_mmps >= BRAKE_WARN_MMPS) {
+        /* After one second; what is 0 by then is no further off than 0 m. */
+        uint16_t ahead_mm = dist_mm > closing_mmps ? dist_mm - closing_mmps : 0;
+
+        if (ahead_mm <= BRAKE_STOP_MM ||
+            (ahead_mm <= FAR_MM && lut_at(row_of(ahead_mm), col_of(&closing_smooth)) >= BRAKE_WARN_PCT)) {
+            brake.warn = true;
+            calm_readings = 0;
+            return;
+        }
+    }
+    if (++calm_readings >= BRAKE_CALM_READINGS) {
+        brake.warn = false;
+        calm_readings = BRAKE_CALM_READINGS;
+    }
+}
+
+/* What an echo is worth: BRAKE_FAULT_NONE, or why it is not believed. */
+static uint8_t judge_echo(uint16_t dist_mm, uint8_t elapsed_cs)
+{
+    uint8_t trouble = BRAKE_FAULT_NONE;
+
+    if (repeats(dist_mm)) {
+        closing_skip(elapsed_cs);
+        trouble = BRAKE_FAULT_STUCK;
+    } else if (!closing_update(dist_mm, elapsed_cs)) {
+        trouble = BRAKE_FAULT_JUMP;
+    }
+    latch(dist_mm, trouble == BRAKE_FAULT_NONE && closing_samples == 3);
+    return trouble;
+}
+
+static uint8_t judge_no_echo(uint8_t kind, uint8_t elapsed_cs)
+{
+    closing_skip(elapsed_cs);
+    is_stuck = false;
+    raw_mm = 0;
+    if (kind != RANGE_NO_TARGET) {
+        return (uint8_t)(kind - RANGE_NOT_RISEN + BRAKE_FAULT_NOT_RISEN);
+    }
+    if (lost_readings != 0) {
+        lost_readings--;
+        if (!is_sure && ++doubts == 2) {
+            is_latched = false;
+        }
+        return BRAKE_FAULT_LOST;
+    }
+    if (!is_sure) {
+        is_latched = false;
+    }
+    closing_restart();
+    return BRAKE_FAULT_NONE;
+}
+
+/* The table's answer, 0 beyond its end. */
+static uint8_t look_up(uint16_t dist_mm)
+{
+    if (!has_target) {
+        return 0;
+    }
+    brake.row = row_of(dist_mm);
+    brake.col = col_of(&BRAKE_SPEED);
+    return lut_at(brake.row, brake.col);
+}
+
+void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
+{
+    bool is_echo = kind == RANGE_ECHO;
+    uint8_t trouble = is_echo ? judge_echo(dist_mm, elapsed_cs) : judge_no_echo(kind, elapsed_cs);
+    bool is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
+    uint8_t table_pct = 0;
+
+    if (trouble != BRAKE_FAULT_NONE) {
+        good_readings = 0;
+        if (!is_lasting) {
+            brake.fault = trouble;
+        }
+        settle();
+        return;
+    }
+
+    silence_cs = 0;
+    has_target = is_echo && dist_mm <= FAR_MM;
+    if (is_echo) {
+        lost_readings = farewell(dist_mm);
+        unlatch(dist_mm);
+    }
+    if (!is_lasting) { /* then the table, or what holds it, cannot be trusted */
+        warn(is_echo ? dist_mm : 65535U);
+        table_pct = look_up(dist_mm);
+    }
+    if (is_lasting || (is_fault && ++good_readings < BRAKE_GOOD_READINGS)) {
+        if (demand_pct < table_pct) {
+            demand_pct = table_pct;
+        }
+    } else {
+        is_fault = false;
+        brake.fault = BRAKE_FAULT_NONE;
+        demand_pct = table_pct;
+    }
+    settle();
+}
+
+void brake_tick(bool override_held)
+{
+    if (!override_held) {
+        override_cs = 0;
+    } else if (override_cs < BRAKE_OVERRIDE_CS) {
+        override_cs++;
+    }
+    if (silence_cs < BRAKE_SILENCE_CS) {
+        silence_cs++;
+    } else if (!is_fault) {
+        enter_fault();
+    }
+    settle();
+}

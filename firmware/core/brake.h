@@ -1,0 +1,100 @@
+/* The brake's decision: readings in, duty and signals out. Portable; time comes as an argument.
+ *
+ *   RELEASED  no target, or beyond the table: 0 %
+ *   CONTROL   the table
+ *   STOP      a reading of BRAKE_STOP_MM or less: 100 % and the stop line, at once and latched
+ *   FAULT     no reading to believe for BRAKE_SILENCE_CS, a watchdog reset or a failed self-test
+ */
+#ifndef FUZZY51_BRAKE_H
+#define FUZZY51_BRAKE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "cc51.h"
+#include "closing.h"
+
+/* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth. The release of
+ * STOP and the warning always ask the smooth one. */
+#if defined(ESTIMATOR_smooth)
+#define BRAKE_SPEED closing_smooth
+#else
+#define BRAKE_SPEED closing_difference
+#endif
+
+/* The brake in FAULT, a board's choice: a car without a driver must come to rest. With 0 the driver
+ * has the brake. */
+#ifndef FAULT_PCT
+#define FAULT_PCT 60
+#endif
+
+/* Stop at this distance; let go beyond the second one, opening faster than this twice in a row, or
+ * after the override was held that long. */
+#define BRAKE_STOP_MM       1000U
+#define BRAKE_RELEASE_MM    1300U
+#define BRAKE_RELEASE_MMPS  200U
+#define BRAKE_OVERRIDE_CS   100U
+
+/* Silent so long, the controller is in FAULT until so many readings in a row were good. */
+#define BRAKE_SILENCE_CS    18U
+#define BRAKE_GOOD_READINGS 3U
+
+/* A target last seen nearer than this does not vanish: so many "no target" in a row are taken for a
+ * missing echo (1.2 s), one for a target further off. */
+#define BRAKE_NEAR_MM       4000U
+#define BRAKE_LOST_READINGS 20U
+
+/* Nothing on wheels stops from this speed between two readings: the same reading again is a stuck one. */
+#define BRAKE_STUCK_MMPS    800U
+
+/* Warn when the target, at its present speed, would be braked for this hard in one second (0.8 s and
+ * the time a reading takes), and closes faster than this; until it was not so for half a second. */
+#define BRAKE_WARN_PCT      60U
+#define BRAKE_WARN_MMPS     300U
+#define BRAKE_CALM_READINGS 8U
+
+enum brake_state { BRAKE_RELEASED, BRAKE_CONTROL, BRAKE_STOP, BRAKE_FAULT };
+
+/* In the order that README lists them. From BRAKE_FAULT_TABLE on they last until the next start. */
+enum brake_fault {
+    BRAKE_FAULT_NONE,
+    BRAKE_FAULT_NOT_RISEN,  /* no echo pulse at all */
+    BRAKE_FAULT_NOT_FALLEN, /* the echo pulse never ends */
+    BRAKE_FAULT_DEAD_ZONE,  /* nearer than the sensor can measure */
+    BRAKE_FAULT_JUMP,       /* nothing can move so fast */
+    BRAKE_FAULT_STUCK,      /* the same reading while the target moves */
+    BRAKE_FAULT_LOST,       /* a near target vanished */
+    BRAKE_FAULT_WATCHDOG,   /* this start was a watchdog reset */
+    BRAKE_FAULT_TABLE,      /* self-test: check sum of the table */
+    BRAKE_FAULT_RAM,        /* self-test: pattern in RAM */
+    BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
+    BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */
+};
+
+struct brake_output {
+    uint8_t brake_pct; /* 0..100 */
+    bool stop;         /* the stop line */
+    bool warn;
+    uint8_t state;     /* enum brake_state */
+    uint8_t fault;     /* enum brake_fault: why FAULT, or what is wrong with the last reading */
+    uint8_t row, col;  /* of the last look-up */
+};
+extern struct brake_output brake;
+
+/* Starts RELEASED, or in FAULT if `fault` is not BRAKE_FAULT_NONE. */
+void brake_init(uint8_t fault);
+
+/* Goes to FAULT for one of the lasting faults, unless one is there. */
+void brake_fail(uint8_t fault);
+
+/* Must this reading (of kind RANGE_ECHO) stop the car? It needs neither estimator nor table, so ask
+ * it first. 20 mc. */
+bool brake_must_stop(uint16_t dist_mm);
+
+/* One measurement: its range_kind, its distance if that is RANGE_ECHO, and the time from the last
+ * trigger to this one, 4..31 hundredths of a second. At most 900 mc. */
+void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs);
+
+/* Every 1/100 s. */
+void brake_tick(bool override_held);
+
+#endif

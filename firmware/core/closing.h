@@ -1,0 +1,45 @@
+/* Readings -> closing speed, and which reading to believe. Portable, integers, no division.
+ *
+ * Two estimators run side by side: the plain difference of the last two believed readings over the
+ * true time between them, and alpha-beta with 3/4 and 1/4. One gate serves both: a reading more than
+ * CLOSING_GATE_MM from where the target should be is set aside once, and believed when the next one
+ * agrees with it. (What each is good for: the study in the README's reading list, or measure it with
+ * `make bench`.) */
+#ifndef FUZZY51_CLOSING_H
+#define FUZZY51_CLOSING_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "cc51.h"
+
+#define CLOSING_GATE_MM 350U
+
+/* Faster than 36 m/s nothing comes or goes: a second reading further off is no second reading. */
+#define CLOSING_REACH_MM_PER_CS 360U
+
+/* Readings are 4..CLOSING_ELAPSED_MAX_CS apart; after a longer silence a target starts anew. */
+#define CLOSING_ELAPSED_MIN_CS 4U
+#define CLOSING_ELAPSED_MAX_CS 31U
+
+/* Speeds in mm/s, each as two magnitudes of which one is 0: up to 36 m/s do not fit 16 bits with a sign. */
+struct closing_speed {
+    uint16_t closing_mmps;
+    uint16_t opening_mmps;
+};
+extern __data struct closing_speed closing_difference; /* plain difference */
+extern __data struct closing_speed closing_smooth;     /* alpha-beta */
+
+/* Readings believed of this target, 0..3 (3: or more). */
+extern uint8_t closing_samples;
+
+/* Forgets the target; speeds are 0 until two readings came. */
+void closing_restart(void);
+
+/* A reading of 0..RANGE_MAX_MM, elapsed_cs (1/100 s, not 0) after the last call or restart. False: it
+ * is set aside and the speeds stay as they are. Up to 500 mc. */
+bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs);
+
+/* Time passed without a reading. */
+void closing_skip(uint8_t elapsed_cs);
+
+#endif

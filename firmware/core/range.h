@@ -1,0 +1,32 @@
+/* Echo ticks -> distance, and what a measurement is worth. Portable. */
+#ifndef FUZZY51_RANGE_H
+#define FUZZY51_RANGE_H
+
+#include <stdint.h>
+
+/* Speed of sound: 343.2 m/s at 20 C; 0.6 m/s more each degree. */
+#ifndef SOUND_MMPS
+#define SOUND_MMPS 343200UL
+#endif
+
+/* HC-SR04 class: nothing nearer than 2 cm, and a pulse of 36 ms or more when no echo came. */
+#define RANGE_MIN_MM 20U
+#define RANGE_MAX_MM 6000U
+
+/* A distance, a clear road, or one of the faults; never a distance that means something else. */
+enum range_kind {
+    RANGE_ECHO,
+    RANGE_NO_TARGET,
+    RANGE_NOT_RISEN,  /* the sensor never answered */
+    RANGE_NOT_FALLEN, /* its answer never ended */
+    RANGE_DEAD_ZONE,  /* shorter than it can measure */
+};
+
+/* The distance for a way there and back of 0..65535 ticks (machine cycles, 12 / CLK_HZ): in mm, at
+ * most 1 mm off the exact quotient, never falling when ticks rise. About 90 mc. */
+uint16_t range_mm(uint16_t ticks);
+
+/* What a finished echo of this distance says: RANGE_ECHO, _NO_TARGET or _DEAD_ZONE. */
+uint8_t range_kind(uint16_t dist_mm);
+
+#endif

@@ -1,0 +1,117 @@
+/* Lines of text, one character at a time. */
+#include "telemetry.h"
+
+__idata union telemetry_value telemetry_values[TELEMETRY_VALUES];
+
+static const uint16_t __code POWERS[] = {10000, 1000, 100, 10, 1};
+#define DECIMAL_HUNDREDS 2U
+#define DECIMAL_END      5U
+#define HEX_DIGITS       4U
+
+static const char __code *rest;      /* of the format; 0: no line */
+static const char __code *text;      /* a value being copied; 0: none */
+static uint8_t value;                /* the next one's index */
+static uint16_t number;              /* what is left of a number being printed */
+static uint8_t power = DECIMAL_END;  /* its next digit's; DECIMAL_END: none */
+static uint8_t hex_digits;           /* still to print */
+static bool is_leading;              /* no digit of it is out yet, so zeros stay out */
+
+bool telemetry_is_busy(void)
+{
+    return rest != 0;
+}
+
+void telemetry_say(const char __code *format)
+{
+    rest = format;
+    value = 0;
+}
+
+/* Division by 10 takes 380 mc, nine subtractions half of it. */
+static char next_decimal(void)
+{
+    char digit = '0';
+
+    for (;;) {
+        uint16_t step = POWERS[power];
+
+        while (number >= step) {
+            number -= step;
+            digit++;
+        }
+        power++;
+        if (digit != '0' || !is_leading || power == DECIMAL_END) {
+            is_leading = false;
+            return digit;
+        }
+    }
+}
+
+static char next_hex(void)
+{
+    uint8_t nibble = (uint8_t)(number >> 12);
+
+    number <<= 4;
+    hex_digits--;
+    return (char)(nibble < 10 ? '0' + nibble : 'A' - 10 + nibble);
+}
+
+static void take(char conversion)
+{
+    number = telemetry_values[value].number;
+    is_leading = true;
+    switch (conversion) {
+    case 's':
+        text = telemetry_values[value].text;
+        break;
+    case 'x':
+        hex_digits = HEX_DIGITS;
+        break;
+    case 'm':
+        is_leading = telemetry_values[value - 1].number == 0;
+        power = DECIMAL_HUNDREDS;
+        break;
+    case 'o':
+        if (number == 0) {
+            break;
+        }
+        /* fall through */
+    default:
+        power = 0;
+    }
+    value++;
+}
+
+char telemetry_next(void)
+{
+    while (rest != 0) {
+        char c;
+
+        if (power != DECIMAL_END) {
+            return next_decimal();
+        }
+        if (hex_digits != 0) {
+            return next_hex();
+        }
+        if (text != 0) {
+            c = *text;
+            text++;
+            if (c != 0) {
+                return c;
+            }
+            text = 0;
+        }
+        c = *rest;
+        rest++;
+        if (c == 0) {
+            rest = 0;
+        } else if (c == '%') {
+            c = *rest;
+            rest++;
+            take(c);
+        } else {
+            return c;
+        }
+    }
+    return 0;
+}

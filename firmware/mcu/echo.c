@@ -1,0 +1,53 @@
+/* Timer 0: the echo's length in machine cycles. The echo itself gates the timer (INT0), and its fall
+ * sets IE0, with no interrupt: exact to one count whatever the program does meanwhile. */
+#include "sfr.h"
+
+/* The sensor asks for 10 us; each turn of the delay takes 2 cycles. */
+#define TRIGGER_TURNS ((uint8_t)(CYCLES_PER_S * 12U / 1000000U / 2U + 1U))
+
+static __bit was_high; /* the last echo was not over when this measurement started */
+
+void echo_init(void)
+{
+    pin_trigger = 0;
+    TMOD = (TMOD & 0xF0) | T0_GATE | T0_M0; /* 16 bits, counts while the echo is high */
+    IT0 = 1;
+}
+
+void hal_trigger(void)
+{
+    uint8_t turns = TRIGGER_TURNS;
+
+    TR0 = 0;
+    TL0 = 0;
+    TH0 = 0;
+    pin_trigger = 1;
+    do {
+    } while (--turns != 0);
+    pin_trigger = 0;
+    was_high = pin_echo;
+    IE0 = 0;
+    TR0 = 1;
+}
+
+uint8_t hal_echo(void)
+{
+    if (was_high) {
+        return HAL_ECHO_NOT_FALLEN;
+    }
+    if (IE0) {
+        TR0 = 0;
+        return HAL_ECHO_DONE;
+    }
+    return pin_echo ? HAL_ECHO_NOT_FALLEN : HAL_ECHO_NOT_RISEN;
+}
+
+uint16_t hal_echo_ticks(void)
+{
+    return (uint16_t)TH0 << 8 | TL0;
+}
+
+bool hal_echo_is_high(void)
+{
+    return pin_echo;
+}

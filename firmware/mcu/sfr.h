@@ -1,0 +1,34 @@
+/* The 8052's registers and the board's pins. Only firmware/mcu/ *.c include this. */
+#ifndef FUZZY51_SFR_H
+#define FUZZY51_SFR_H
+
+#include <8052.h>
+#include "hal.h"
+
+#if !defined(CLK_HZ) || !defined(PIN_PWM) || !defined(PIN_STOP) || !defined(PIN_TRIGGER) ||                \
+    !defined(PIN_LAMP) || !defined(PIN_BUZZER) || !defined(PIN_ECHO) || !defined(PIN_OVERRIDE)
+#error a board must say CLK_HZ and PIN_PWM, _STOP, _TRIGGER, _LAMP, _BUZZER, _ECHO, _OVERRIDE
+#endif
+#if PIN_ECHO != 0xB2
+#error PIN_ECHO must be 0xB2 (P3.2): INT0 gates timer 0, which measures the echo
+#endif
+#if CLK_HZ < 6000000 || CLK_HZ > 24000000
+#error CLK_HZ out of range 6..24 MHz: PWM and echo were checked for these clocks only
+#endif
+
+#define CYCLES_PER_S (CLK_HZ / 12U)
+
+__sbit __at(PIN_PWM) pin_pwm;           /* high: brake */
+__sbit __at(PIN_STOP) pin_stop;         /* high: stop */
+__sbit __at(PIN_TRIGGER) pin_trigger;   /* 10 us high: measure */
+__sbit __at(PIN_LAMP) pin_lamp;         /* low: on */
+__sbit __at(PIN_BUZZER) pin_buzzer;     /* low: on */
+__sbit __at(PIN_ECHO) pin_echo;         /* high as long as the sound takes */
+__sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
+
+/* The parts of hal_init, each in its file. */
+void pwm_init(void);
+void echo_init(void);
+void uart_init(void);
+
+#endif

@@ -1,0 +1,57 @@
+#!/bin/sh
+# Refuses interrupt routines that are not safe on an 8051:
+#     tools/check_isr.sh FILE.asm...        all of one program, as SDCC left them
+# An interrupt must call nothing (it would share the callee's fixed parameters and locals with main),
+# must not touch an overlay segment (whose bytes belong to whatever main was running), and needs its
+# vector (SDCC sets it only if main's file sees the prototype; else it links, and never runs). SDCC
+# says nothing about any of the three. Exit status 1 if one is found.
+set -eu
+[ $# -gt 0 ] || {
+    echo "usage: check_isr.sh FILE.asm..." >&2
+    exit 2
+}
+exec awk '
+function complain(place, what) {
+    printf "%s: error: %s\n", place, what | "cat >&2"
+    failed = 1
+}
+FNR == 1 { function_name = ""; area = "" }
+{ sub(/;.*/, "") }
+$1 == ".area" { area = $2; function_name = ""; next }
+area == "OSEG" && /^_[A-Za-z0-9_]+:/ { sub(/:.*/, ""); overlay[$1] = 1; next }
+area == "HOME" && $1 == "ljmp" { vector[$2] = 1; next }
+/^_[A-Za-z0-9_]+::?/ && area == "CSEG" { sub(/:.*/, ""); function_name = $1; next }
+function_name != "" && NF > 0 {
+    lines[function_name] = lines[function_name] FILENAME ":" FNR "\t" $0 "\n"
+    if ($1 == "reti") {
+        interrupts[function_name] = FILENAME ":" FNR
+    }
+}
+END {
+    for (name in interrupts) {
+        plain = substr(name, 2)
+        if (!(name in vector)) {
+            complain(interrupts[name], "interrupt \047" plain "\047 has no vector; show its prototype to the file with main")
+        }
+        count = split(lines[name], body, "\n")
+        for (i = 1; i <= count; i++) {
+            split(body[i], part, "\t")
+            words = split(substr(body[i], length(part[1]) + 2), word, /[ \t,]+/)
+            first = word[1] == "" ? 2 : 1
+            operation = word[first]
+            target = word[first + 1]
+            if (operation ~ /^[la]call$/ || (operation ~ /^([las]?jmp)$/ && target !~ /^[0-9]+\$$/)) {
+                complain(part[1], "interrupt \047" plain "\047 calls \047" target "\047; let main do it, or write it inline")
+            }
+            for (j = first + 1; j <= words; j++) {
+                symbol = word[j]
+                gsub(/[()#@]/, "", symbol)
+                if (symbol in overlay || symbol ~ /_PARM_[0-9]+$/) {
+                    complain(part[1], "interrupt \047" plain "\047 uses \047" symbol "\047, which shares its place with the locals of main; make it static")
+                }
+            }
+        }
+    }
+    close("cat >&2")
+    exit failed
+}' "$@"

@@ -1,0 +1,24 @@
+#!/bin/sh
+# Says in one line what a linked program takes of its chip:
+#     tools/memory.sh BOARD APP        after the link of build/BOARD/APP.ihx
+set -eu
+[ $# -eq 2 ] || {
+    echo "usage: memory.sh BOARD APP" >&2
+    exit 2
+}
+mem=build/$1/$2.mem
+fragment=firmware/boards/$1.mk
+for file in "$mem" "$fragment"; do
+    [ -r "$file" ] || {
+        echo "$file: error: not there; run: make BOARD=$1" >&2
+        exit 1
+    }
+done
+iram=$(awk '$1 == "IRAM_BYTES" { print $3 }' "$fragment")
+awk -v board="$1" -v app="$2" -v iram="$iram" '
+/^Stack starts at/ { stack = $(NF - 2) }
+/^ROM\/EPROM\/FLASH/ { code = $(NF - 1); room = $NF }
+END {
+    printf "%-12s %-7s code %5d of %5d bytes, RAM %3d of %3d bytes, %3d of them for the stack\n",
+        board, app, code, room, iram, iram, stack
+}' "$mem"
