@@ -27,7 +27,7 @@ static const struct argp_option options[] = {
     {"grid", KEY_GRID, "RxC...", 0,
      "Cells along each input; 100, 100x100, 20x20x20 or 10x10x10x10 if not given", 0},
     {"nodes", KEY_NODES, NULL, 0, "Sample from end to end, for tables that the firmware interpolates", 0},
-    {"levels", KEY_LEVELS, "100|255", 0, "What the high end of an output's range becomes; 100 if not given", 0},
+    {"levels", KEY_LEVELS, "N", 0, "What the high end of an output's range becomes, 1..255; 100 if not given", 0},
     {"encoding", KEY_ENCODING, "plain", 0, "How the header stores the table", 0},
     {0},
 };
@@ -86,9 +86,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         a->table.nodes = true;
         return 0;
     case KEY_LEVELS:
-        a->table.levels = (int)option_integer(argument, 100, 255, "--levels", state);
-        if (a->table.levels != 100 && a->table.levels != 255)
-            argp_error(state, "--levels=%s: give 100 or 255", argument);
+        a->table.levels = (int)option_integer(argument, 1, 255, "--levels", state);
         return 0;
     case KEY_ENCODING:
         if (strcmp(argument, "plain") != 0)

@@ -19,7 +19,7 @@ struct table_options {
     struct infer_options infer;
     size_t dims[TABLE_INPUTS_MAX]; /* 0: the default, see table_default_dims */
     bool nodes;                    /* sample from end to end, for interpolation; else at cell centres */
-    int levels;                    /* 100 or 255 */
+    int levels;                    /* 1..255: -8..8 with 200 is a signed table, 0.08 a level, 100 for 0 */
 };
 
 struct table {
