@@ -2,27 +2,75 @@
 #define LUT_DATA
 #include "lut.h"
 
-#if LUT_INPUTS == 1
+#if LUT_INPUTS > 2 || LUT_OUTPUTS > 1
+#error "lut_at serves tables of one or two inputs and one output"
+#endif
+
+#if LUT_PACKED
+
+/* The parts of the table, and how they make a cell, stand in tools/fistab/pack.h. Nearly every index
+ * is a variable of one byte, as SDCC then reads the part by one `movc` from a fixed address; an
+ * expression in its place is an int. */
+#define CHANGES(block) (lut_out1 + 0)[block]
+#define RUNS(block)    (lut_out1 + LUT_RUNS_AT)[block]
+#define PAGES(strip)   (lut_out1 + LUT_PAGES_AT)[strip]
+#define STARTS(run)    (lut_out1 + LUT_STARTS_AT)[run]
+#define BASES(run)     (lut_out1 + LUT_BASES_AT)[run]
+#define SHAPES(place)  (lut_out1 + LUT_SHAPES_AT)[place]
+
+/* Bits 0..i, and how many of four bits are set. */
+static const uint8_t __code bits_up_to[8] = {1, 3, 7, 15, 31, 63, 127, 255};
+static const uint8_t __code ones[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+
+uint8_t lut_at(uint8_t row, uint8_t col)
+{
+    uint8_t strip = (uint8_t)(col / (uint8_t)LUT_STRIP_CELLS);
+    uint8_t block, run_low;
+    uint16_t run;
+
+    if (row < LUT_FIRST_ROW)
+        row = LUT_FIRST_ROW;
+    row -= LUT_FIRST_ROW;
+    block = (uint8_t)(row >> 3);
+    block += (uint8_t)(strip * (uint8_t)LUT_BLOCKS);
+
+    /* From here on `row` is the block's change bits up to the row: one a run that began. */
+    row &= 7;
+    row = bits_up_to[row];
+    row &= CHANGES(block);
+    run_low = RUNS(block);
+    run_low += ones[(uint8_t)(row >> 4)];
+    row &= 15;
+    run_low += ones[row];
+
+    run = PAGES(strip);
+    run <<= 8;
+    run |= run_low;
+    col += STARTS(run);
+    return (uint8_t)(BASES(run) + SHAPES(col));
+}
+
+#elif LUT_INPUTS == 1
+
 uint8_t lut_at(uint8_t row, uint8_t col)
 {
     (void)col;
     return lut_out1[row];
 }
-#elif LUT_INPUTS == 2
-typedef const uint8_t __code lut_row[LUT_IN2_CELLS];
+
+#else
 
 uint8_t lut_at(uint8_t row, uint8_t col)
 {
-    /* Seen as rows of bytes SDCC indexes it by one `mul ab`; row * CELLS + col would take 15 mc more. */
-    return ((lut_row *)lut_out1)[row][col];
+    /* As rows of bytes SDCC indexes it by one `mul ab`; row * CELLS + col would take 15 mc more. */
+    return lut_out1[row][col];
 }
-#else
-#error "lut_at serves tables of one or two inputs; read lut_out1 itself, row-major"
+
 #endif
 
 uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
 {
-    const uint8_t __code *byte = lut_out1 + offset;
+    const uint8_t __code *byte = (const uint8_t __code *)lut_out1 + offset;
     uint8_t high = (uint8_t)(crc >> 8), low = (uint8_t)crc;
 
     do {
