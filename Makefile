@@ -143,10 +143,42 @@ $(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g $(SANITIZE) $^ $(DRIVE_LIBS) -lm -o $@
 
-TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh)
+# firmware/core: each tests/unit/test_X.c is built twice, for the host, sanitized, and for the chip.
+# There Unity needs the large model with --stack-auto, so that is the model core is tested in.
+UNIT_TESTS := $(patsubst tests/%.c,build/%,$(wildcard tests/unit/test_*.c))
+CHIP_TESTS := $(UNIT_TESTS:build/unit/%=build/chip/%.ihx)
+UNIT_FLAGS := -DCLK_HZ=12000000UL -I$(UNITY) -Ifirmware/core -Ibuild/unit
+CORE_SRC   := $(wildcard firmware/core/*.c)
+SDCC_UNIT  := sdcc -mmcs51 --std-c11 --model-large --stack-auto
+CHIP_FLAGS := -DUNITY_INT_WIDTH=16 -DUNITY_LONG_WIDTH=32 -DUNITY_POINTER_WIDTH=16 \
+    $(patsubst %,-DUNITY_EXCLUDE_%,FLOAT DOUBLE SETJMP_H MATH_H) \
+    -DUNITY_OUTPUT_CHAR=chip_print -DUNITY_OUTPUT_COMPLETE=chip_end \
+    '-DUNITY_OUTPUT_CHAR_HEADER_DECLARATION=chip_print(int), chip_end(void)'
+
+build/unit/lut_table.h: $(TABLE) build/fistab
+	@mkdir -p $(@D)
+	$(Q)build/fistab table $< --name=lut -o $@
+build/unit/%.o: %.c build/unit/lut_table.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) -g -O1 $(SANITIZE) $(HOST_FLAGS) $(UNIT_FLAGS) -c $< -o $@
+build/unit/%.o: HOST_FLAGS += -Wno-sign-conversion
+build/unit/tests/%.o build/unit/$(UNITY)/%.o: HOST_FLAGS += -Wno-conversion
+build/unit/libcore.a: $(CORE_SRC:%.c=build/unit/%.o)
+	$(Q)rm -f $@; ar rcs $@ $^
+$(UNIT_TESTS): build/unit/%: build/unit/tests/unit/%.o build/unit/$(UNITY)/unity.o build/unit/libcore.a
+	$(Q)$(CC) -g $(SANITIZE) $^ -o $@
+build/chip/%.rel: %.c build/unit/lut_table.h
+	@mkdir -p $(@D)
+	$(Q)$(SDCC_UNIT) $(UNIT_FLAGS) $(CHIP_FLAGS) -MMD -c $< -o $@
+build/chip/core.lib: $(CORE_SRC:%.c=build/chip/%.rel)
+	$(Q)rm -f $@; sdar -rc $@ $^
+$(CHIP_TESTS): build/chip/%.ihx: $(addprefix build/chip/,tests/unit/%.rel tests/unit/chip.rel $(UNITY)/unity.rel core.lib)
+	$(Q)$(SDCC_UNIT) $^ -o $@
+
+TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%=tests/run_chip.sh %)
 
 .PHONY: run-test
-run-test: all $(TOOL_TESTS)
+run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS)
 	@tests/run.sh $(foreach suite,$(TEST_SUITES),'$(suite)')
 
 # --- targets that install what they need first -------------------------------------------------
@@ -154,4 +186,4 @@ demo test:
 	@tools/deps.sh $@
 	@$(MAKE) run-$@
 
--include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d)
+-include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d build/unit/*/*/*.d build/chip/*/*/*.d)

@@ -62,9 +62,9 @@ static void publish(struct closing_speed __data *speed, int16_t speed_2mmps)
     speed->closing_mmps = 0;
     speed->opening_mmps = 0;
     if (speed_2mmps >= 0) {
-        speed->closing_mmps = (uint16_t)speed_2mmps << 1;
+        speed->closing_mmps = (uint16_t)((uint16_t)speed_2mmps << 1);
     } else {
-        speed->opening_mmps = (uint16_t)-speed_2mmps << 1;
+        speed->opening_mmps = (uint16_t)((uint16_t)-speed_2mmps << 1);
     }
 }
 
@@ -104,7 +104,7 @@ bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
 
     off_mm = (int16_t)(dist_mm - smooth_mm) + travel_mm(smooth_2mmps, since_cs);
     if (closing_samples == 1) {
-        gate_mm = mul_u8(since_cs, CLOSING_REACH_MM_PER_CS / 2U) << 1;
+        gate_mm = (uint16_t)(mul_u8(since_cs, CLOSING_REACH_MM_PER_CS / 2U) << 1);
     }
     if (!is_within(off_mm, gate_mm)) {
         int16_t off_aside_mm = (int16_t)(dist_mm - aside_mm);

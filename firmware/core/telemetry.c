@@ -51,7 +51,7 @@ static char next_hex(void)
 {
     uint8_t nibble = (uint8_t)(number >> 12);
 
-    number <<= 4;
+    number = (uint16_t)(number << 4);
     hex_digits--;
     return (char)(nibble < 10 ? '0' + nibble : 'A' - 10 + nibble);
 }

@@ -1,0 +1,98 @@
+/* range: every tick count, both clocks, against the exact quotient. */
+#include <stddef.h>
+#include "unity.h"
+#include "fixed.h"
+
+/* The file under test, once for each clock. */
+#undef CLK_HZ
+#define CLK_HZ     12000000UL
+#define range_mm   range_mm_12000000
+#define range_kind range_kind_12000000
+#include "../../firmware/core/range.c"
+#undef CLK_HZ
+#undef MM_PER_TICK_2E18
+#undef range_mm
+#undef range_kind
+#define CLK_HZ     11059200UL
+#define range_mm   range_mm_11059200
+#define range_kind range_kind_11059200
+uint16_t range_mm(uint16_t ticks);
+uint8_t range_kind(uint16_t dist_mm);
+#include "../../firmware/core/range.c"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* ticks * 12 / clk * sound / 2 in steps: whole mm and the rest of it, in 1 / clk mm. */
+static void sweep(uint16_t (*mm_of)(uint16_t), uint32_t clk_hz)
+{
+    const uint32_t step = SOUND_MMPS * 6UL; /* a tick, in 1 / clk mm */
+    uint32_t rest = 0;
+    uint16_t exact_mm = 0, before_mm = 0, ticks = 0;
+
+    do {
+        uint16_t mm = mm_of(ticks);
+
+        if (mm < before_mm || mm < exact_mm || mm > exact_mm + 1U) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(exact_mm, mm, "not within 1 mm, or falling");
+        }
+        before_mm = mm;
+        rest += step;
+        while (rest >= clk_hz) {
+            rest -= clk_hz;
+            exact_mm++;
+        }
+    } while (++ticks != 0);
+    TEST_ASSERT_UINT16_WITHIN(1, exact_mm, before_mm);
+}
+
+static void test_every_tick_count_is_within_1_mm_at_12_mhz(void)
+{
+    sweep(range_mm_12000000, 12000000UL);
+}
+
+static void test_every_tick_count_is_within_1_mm_at_11_mhz(void)
+{
+    sweep(range_mm_11059200, 11059200UL);
+}
+
+static void test_known_echoes_have_known_distances(void)
+{
+    TEST_ASSERT_EQUAL_UINT16(0, range_mm_12000000(0));
+    TEST_ASSERT_EQUAL_UINT16(995, range_mm_12000000(5800));   /* 995.28 */
+    TEST_ASSERT_EQUAL_UINT16(1000, range_mm_12000000(5828));  /* 1000.08 */
+    TEST_ASSERT_EQUAL_UINT16(5000, range_mm_12000000(29138)); /* 5000.08 */
+    TEST_ASSERT_EQUAL_UINT16(6521, range_mm_12000000(38000)); /* 6520.80 */
+    TEST_ASSERT_EQUAL_UINT16(995, range_mm_11059200(5345));   /* 995.23 */
+    TEST_ASSERT_EQUAL_UINT16(5000, range_mm_11059200(26853)); /* 4999.97 */
+}
+
+static void test_kind_changes_at_the_limits_and_nowhere_else(void)
+{
+    uint16_t mm;
+
+    for (mm = 0; mm <= RANGE_MAX_MM + 100U; mm++) {
+        uint8_t kind = mm < 20 ? RANGE_DEAD_ZONE : mm <= 6000 ? RANGE_ECHO : RANGE_NO_TARGET;
+
+        if (range_kind_12000000(mm) != kind) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(kind, mm, "the kind of this distance in mm");
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT8(RANGE_NO_TARGET, range_kind_12000000(11246));
+    TEST_ASSERT_EQUAL_UINT8(RANGE_NO_TARGET, range_kind_12000000(65535U));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_every_tick_count_is_within_1_mm_at_12_mhz);
+    RUN_TEST(test_every_tick_count_is_within_1_mm_at_11_mhz);
+    RUN_TEST(test_known_echoes_have_known_distances);
+    RUN_TEST(test_kind_changes_at_the_limits_and_nowhere_else);
+    return UNITY_END();
+}
