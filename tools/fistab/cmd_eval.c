@@ -39,13 +39,19 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
-static const struct argp argp = {
-    NULL, parse, "FILE.fis [X1 X2 ...]",
-    "Prints the outputs of FILE.fis at the point X1 X2 ..., or at each point that a line of stdin gives: "
-    "numbers between blanks or commas; empty lines and lines that begin with % or # are passed over.\v"
-    "One line a point, outputs separated by a blank. Where no rule fires, the output is the middle of its "
-    "range, as MATLAB has it, with a warning on stderr.",
-    children, NULL, NULL};
+static const struct argp argp = {NULL,
+                                 parse,
+                                 "FILE.fis [X1 X2 ...]",
+                                 "Prints the outputs of FILE.fis at the point X1 X2 ..., or at "
+                                 "each point that a line of stdin gives: "
+                                 "numbers between blanks or commas; empty lines and lines that "
+                                 "begin with % or # are passed over.\v"
+                                 "One line a point, outputs separated by a blank. Where no rule "
+                                 "fires, the output is the middle of its "
+                                 "range, as MATLAB has it, with a warning on stderr.",
+                                 children,
+                                 NULL,
+                                 NULL};
 
 /* A finite number that is all of TEXT. */
 static bool read_number(const char *text, double *number)
@@ -56,18 +62,20 @@ static bool read_number(const char *text, double *number)
     return end != text && *end == '\0' && isfinite(*number) && fabs(*number) <= FIS_NUMBER_MAX;
 }
 
-static void eval_point(struct engine *engine, const struct fis *fis, const double *x, const char *file, int line)
+static void eval_point(struct engine *engine, const struct fis *fis, const double *x,
+                       const char *file, int line)
 {
     double y[FIS_VARIABLES_MAX];
 
     for (size_t i = 0; i < fis->inputs; i++)
         if (x[i] < fis->input[i].min || x[i] > fis->input[i].max)
-            diag_warning(file, line, "%s = %g is outside its range of %g to %g", fis->input[i].name, x[i],
-                         fis->input[i].min, fis->input[i].max);
+            diag_warning(file, line, "%s = %g is outside its range of %g to %g", fis->input[i].name,
+                         x[i], fis->input[i].min, fis->input[i].max);
     engine_eval(engine, x, y);
     for (size_t o = 0; o < fis->outputs; o++) {
         if (!engine_fired(engine, o))
-            diag_warning(file, line, "no rule fires for '%s'; the answer is the middle of its range",
+            diag_warning(file, line,
+                         "no rule fires for '%s'; the answer is the middle of its range",
                          fis->output[o].name);
         printf("%.10g%c", y[o], o + 1 == fis->outputs ? '\n' : ' ');
     }
@@ -78,7 +86,8 @@ static int eval_arguments(struct engine *engine, const struct fis *fis, const st
     double x[FIS_VARIABLES_MAX];
 
     if (a->numbers != fis->inputs)
-        return diag_error(a->file, 0, "the system has %zu inputs, but %zu numbers are given", fis->inputs, a->numbers);
+        return diag_error(a->file, 0, "the system has %zu inputs, but %zu numbers are given",
+                          fis->inputs, a->numbers);
     for (size_t i = 0; i < a->numbers; i++)
         if (!read_number(a->point[i], &x[i]))
             return diag_error(NULL, 0, "'%s' is not a number", a->point[i]);
@@ -92,11 +101,13 @@ static int eval_line(struct engine *engine, const struct fis *fis, char *text, i
     size_t numbers = 0;
     char *rest = NULL;
 
-    for (char *word = strtok_r(text, " \t\r\n,;", &rest); word != NULL; word = strtok_r(NULL, " \t\r\n,;", &rest)) {
+    for (char *word = strtok_r(text, " \t\r\n,;", &rest); word != NULL;
+         word = strtok_r(NULL, " \t\r\n,;", &rest)) {
         if (numbers == 0 && (*word == '%' || *word == '#'))
             return EXIT_FINE;
         if (numbers == fis->inputs)
-            return diag_error("stdin", line, "more than %zu numbers; the system has so many inputs", fis->inputs);
+            return diag_error("stdin", line, "more than %zu numbers; the system has so many inputs",
+                              fis->inputs);
         if (!read_number(word, &x[numbers]))
             return diag_error("stdin", line, "'%s' is not a number", word);
         numbers++;
@@ -104,7 +115,8 @@ static int eval_line(struct engine *engine, const struct fis *fis, char *text, i
     if (numbers == 0)
         return EXIT_FINE;
     if (numbers != fis->inputs)
-        return diag_error("stdin", line, "%zu numbers, but the system has %zu inputs", numbers, fis->inputs);
+        return diag_error("stdin", line, "%zu numbers, but the system has %zu inputs", numbers,
+                          fis->inputs);
     eval_point(engine, fis, x, "stdin", line);
     return EXIT_FINE;
 }
@@ -133,7 +145,8 @@ static char **guard_numbers(int *argc, char **argv)
     for (int i = 0; i < *argc; i++) {
         if (strcmp(argv[i], "--") == 0)
             done = true;
-        if (!done && argv[i][0] == '-' && (isdigit((unsigned char)argv[i][1]) || argv[i][1] == '.')) {
+        if (!done && argv[i][0] == '-' &&
+            (isdigit((unsigned char)argv[i][1]) || argv[i][1] == '.')) {
             guarded[count++] = "--";
             done = true;
         }

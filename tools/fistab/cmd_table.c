@@ -21,13 +21,17 @@ struct arguments {
 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE.h", 0, "Write the header to FILE.h; stdout if neither this nor --csv is given", 0},
+    {"output", 'o', "FILE.h", 0,
+     "Write the header to FILE.h; stdout if neither this nor --csv is given", 0},
     {"csv", KEY_CSV, "FILE", 0, "Write the same numbers to FILE, one line a cell", 0},
-    {"name", KEY_NAME, "NAME", 0, "Prefix of the header's symbols; the name of FILE.fis if not given", 0},
+    {"name", KEY_NAME, "NAME", 0,
+     "Prefix of the header's symbols; the name of FILE.fis if not given", 0},
     {"grid", KEY_GRID, "RxC...", 0,
      "Cells along each input; 100, 100x100, 20x20x20 or 10x10x10x10 if not given", 0},
-    {"nodes", KEY_NODES, NULL, 0, "Sample from end to end, for tables that the firmware interpolates", 0},
-    {"levels", KEY_LEVELS, "N", 0, "What the high end of an output's range becomes, 1..255; 100 if not given", 0},
+    {"nodes", KEY_NODES, NULL, 0,
+     "Sample from end to end, for tables that the firmware interpolates", 0},
+    {"levels", KEY_LEVELS, "N", 0,
+     "What the high end of an output's range becomes, 1..255; 100 if not given", 0},
     {"encoding", KEY_ENCODING, "plain", 0, "How the header stores the table", 0},
     {0},
 };
@@ -107,8 +111,10 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 
 static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
 static const struct argp argp = {
-    options, parse, "FILE.fis", "Samples FILE.fis on a grid and writes the table as a C header or as CSV.", children,
-    NULL, NULL};
+    options,    parse,
+    "FILE.fis", "Samples FILE.fis on a grid and writes the table as a C header or as CSV.",
+    children,   NULL,
+    NULL};
 
 /* "dir/gap-rate.fis" -> "gap_rate" */
 static void name_from_file(const char *path, char *name, size_t size)
@@ -175,7 +181,8 @@ static int write_files(const struct arguments *a, const struct table *table)
     if (status == EXIT_FINE && a->csv_path != NULL)
         status = outfile_open(&csv, a->csv_path);
     if (status == EXIT_FINE && (to_stdout || header.stream != NULL))
-        status = write_plain(to_stdout ? stdout : header.stream, table, a->name != NULL ? a->name : name);
+        status = write_plain(to_stdout ? stdout : header.stream, table,
+                             a->name != NULL ? a->name : name);
     if (status == EXIT_FINE && csv.stream != NULL)
         csv_write(csv.stream, table);
     if (status == EXIT_FINE && csv.stream != NULL)
@@ -201,7 +208,8 @@ int cmd_table(int argc, char **argv)
     if (status != EXIT_FINE)
         return status;
     if (a.grid_inputs != 0 && a.grid_inputs != fis.inputs) {
-        diag_error(a.file, 0, "--grid has %zu numbers, but the system has %zu inputs", a.grid_inputs, fis.inputs);
+        diag_error(a.file, 0, "--grid has %zu numbers, but the system has %zu inputs",
+                   a.grid_inputs, fis.inputs);
         status = EXIT_USAGE;
     }
     if (status == EXIT_FINE)

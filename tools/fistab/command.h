@@ -6,7 +6,8 @@
 
 #include "infer.h"
 
-/* Each gets its own name as argv[0], the rest of the command line after it, and returns an exit status. */
+/* Each gets its own name as argv[0], the rest of the command line after it, and returns an exit
+ * status. */
 int cmd_eval(int argc, char **argv);
 int cmd_table(int argc, char **argv);
 
@@ -14,6 +15,7 @@ int cmd_table(int argc, char **argv);
 extern const struct argp infer_argp;
 
 /* A whole number of MIN..MAX, or a usage message about OPTION and exit. */
-long option_integer(const char *text, long min, long max, const char *option, struct argp_state *state);
+long option_integer(const char *text, long min, long max, const char *option,
+                    struct argp_state *state);
 
 #endif

@@ -1,4 +1,12 @@
-/* Defuzzification of the continuous output set, not of samples of it. */
+/* Defuzzification of the continuous output set, not of samples of it.
+ *
+ * The range is cut where any set bends or meets its rule's strength; between cuts straight sets are
+ * integrated as the polygon that they are, crossings of the aggregation included, others
+ * adaptively. The methods are the limits of MATLAB's for ever more samples: centroid: integral of
+ * x*mu over integral of mu. bisector: where the integral of mu reaches half of the whole; the left
+ * end if it does so over a stretch. mom: the middle, by length, of where mu is largest; the mean of
+ * the points if these have no length. som, lom: of these points the one with the smallest, the
+ * largest absolute value; of two alike the left one. At a vertical edge mu is the larger side's. */
 #ifndef FUZZY51_EXACT_H
 #define FUZZY51_EXACT_H
 
@@ -11,8 +19,13 @@
 struct exact_term {
     const struct set *set;
     bool negated;
-    double strength;
+    double strength;   /* above 0 */
     size_t consequent; /* the evaluator's own number of it */
 };
+
+/* Y of the COUNT terms, 1 or more, aggregated as FIS says over the range of OUTPUT: within 1e-9 of
+ * the range. Returns false, and leaves Y, where the set has no area. */
+bool exact_defuzz(const struct fis *fis, const struct variable *output,
+                  const struct exact_term *term, size_t count, double *y);
 
 #endif

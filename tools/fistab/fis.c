@@ -64,8 +64,8 @@ const struct set *fis_set(const struct variable *variable, int term)
     return term == 0 ? NULL : &variable->set[abs(term) - 1];
 }
 
-static int validate_set(const struct fis *fis, const struct variable *variable, size_t number, struct set *set,
-                        bool is_output)
+static int validate_set(const struct fis *fis, const struct variable *variable, size_t number,
+                        struct set *set, bool is_output)
 {
     bool wants_sugeno = is_output && fis->type == FIS_SUGENO;
     size_t wanted = mf_parameters(set->kind, fis->inputs);
@@ -73,21 +73,24 @@ static int validate_set(const struct fis *fis, const struct variable *variable, 
     const char *fault;
 
     if (set->line == 0)
-        return diag_error(fis->file, variable->line, "MF%zu of '%s' is missing", number, variable->name);
+        return diag_error(fis->file, variable->line, "MF%zu of '%s' is missing", number,
+                          variable->name);
     if (mf_is_sugeno(set->kind) && !wants_sugeno)
         return diag_error(fis->file, set->line, "'%s' is for Sugeno outputs only", name);
     if (!mf_is_sugeno(set->kind) && wants_sugeno)
-        return diag_error(fis->file, set->line, "a Sugeno output has sets 'constant' and 'linear', not '%s'", name);
+        return diag_error(fis->file, set->line,
+                          "a Sugeno output has sets 'constant' and 'linear', not '%s'", name);
     if (wanted == 0) {
         if (set->parameters < 4 || set->parameters % 2 != 0)
-            return diag_error(fis->file, set->line, "'%s' takes points x1 y1 x2 y2 ..., two or more", name);
+            return diag_error(fis->file, set->line,
+                              "'%s' takes points x1 y1 x2 y2 ..., two or more", name);
     } else {
         /* Files of MATLAB 4 fill every list with zeros to one length. */
         while (set->parameters > wanted && set->parameter[set->parameters - 1] == 0)
             set->parameters--;
         if (set->parameters != wanted)
-            return diag_error(fis->file, set->line, "'%s' takes %zu numbers here, not %zu", name, wanted,
-                              set->parameters);
+            return diag_error(fis->file, set->line, "'%s' takes %zu numbers here, not %zu", name,
+                              wanted, set->parameters);
     }
     fault = mf_fault(set->kind, set->parameter, set->parameters);
     if (fault != NULL)
@@ -95,12 +98,13 @@ static int validate_set(const struct fis *fis, const struct variable *variable, 
     return EXIT_FINE;
 }
 
-static int validate_variables(const struct fis *fis, const char *what, struct variable *list, size_t count,
-                              size_t declared, const size_t *declared_sets, int system_line)
+static int validate_variables(const struct fis *fis, const char *what, struct variable *list,
+                              size_t count, size_t declared, const size_t *declared_sets,
+                              int system_line)
 {
     if (declared != NOT_DECLARED && declared != count)
-        return diag_error(fis->file, system_line, "Num%ss=%zu, but the file has %zu [%sN] sections", what, declared,
-                          count, what);
+        return diag_error(fis->file, system_line, "Num%ss=%zu, but the file has %zu [%sN] sections",
+                          what, declared, count, what);
     if (count == 0)
         return diag_error(fis->file, 0, "there is no [%s1] section", what);
     for (size_t i = 0; i < count; i++) {
@@ -126,18 +130,23 @@ static int validate_rule(const struct fis *fis, const struct rule *rule)
 {
     if (rule->inputs != fis->inputs || rule->outputs != fis->outputs)
         return diag_error(fis->file, rule->line,
-                          "this rule has %zu inputs and %zu outputs, the system %zu and %zu; write 0 for one that "
-                          "is not used", rule->inputs, rule->outputs, fis->inputs, fis->outputs);
+                          "this rule has %zu inputs and %zu outputs, the system %zu and %zu; write "
+                          "0 for one that "
+                          "is not used",
+                          rule->inputs, rule->outputs, fis->inputs, fis->outputs);
     for (size_t i = 0; i < rule->inputs + rule->outputs; i++) {
         bool is_output = i >= rule->inputs;
-        const struct variable *variable = is_output ? &fis->output[i - rule->inputs] : &fis->input[i];
+        const struct variable *variable =
+            is_output ? &fis->output[i - rule->inputs] : &fis->input[i];
         int term = rule->term[i];
 
         if ((size_t)abs(term) > variable->sets)
-            return diag_error(fis->file, rule->line, "this rule names set %d of '%s', which has %zu", abs(term),
+            return diag_error(fis->file, rule->line,
+                              "this rule names set %d of '%s', which has %zu", abs(term),
                               variable->name, variable->sets);
         if (term < 0 && is_output && fis->type == FIS_SUGENO)
-            return diag_error(fis->file, rule->line, "'not' (%d) has no meaning for a Sugeno output", term);
+            return diag_error(fis->file, rule->line,
+                              "'not' (%d) has no meaning for a Sugeno output", term);
     }
     return EXIT_FINE;
 }
@@ -152,7 +161,8 @@ static size_t conditions(const struct rule *rule)
 
 static int missing_method(const struct fis *fis, int line, const char *key, const char *example)
 {
-    return diag_error(fis->file, line, "%s is not given, but the rules need it; write for instance %s='%s'", key, key,
+    return diag_error(fis->file, line,
+                      "%s is empty, but the rules need it; write for instance %s='%s'", key, key,
                       example);
 }
 
@@ -190,14 +200,15 @@ int fis_validate(struct fis *fis, const struct declared *declared)
     if (line == 0)
         return diag_error(fis->file, 0, "there is no [System] section; is this a .fis file?");
     if (fis->type == 0)
-        return diag_error(fis->file, line, "[System] has no Type; write Type='mamdani' or Type='sugeno'");
-    if (validate_variables(fis, "Input", fis->input, fis->inputs, declared->inputs, declared->input_sets, line) !=
-            EXIT_FINE ||
-        validate_variables(fis, "Output", fis->output, fis->outputs, declared->outputs, declared->output_sets,
-                           line) != EXIT_FINE)
+        return diag_error(fis->file, line, "Type is empty; write Type='mamdani' or Type='sugeno'");
+    if (validate_variables(fis, "Input", fis->input, fis->inputs, declared->inputs,
+                           declared->input_sets, line) != EXIT_FINE ||
+        validate_variables(fis, "Output", fis->output, fis->outputs, declared->outputs,
+                           declared->output_sets, line) != EXIT_FINE)
         return EXIT_INPUT;
     if (declared->rules != NOT_DECLARED && declared->rules != fis->rules)
-        return diag_error(fis->file, line, "NumRules=%zu, but [Rules] has %zu", declared->rules, fis->rules);
+        return diag_error(fis->file, line, "NumRules=%zu, but [Rules] has %zu", declared->rules,
+                          fis->rules);
     for (size_t i = 0; i < fis->rules; i++)
         if (validate_rule(fis, &fis->rule[i]) != EXIT_FINE)
             return EXIT_INPUT;

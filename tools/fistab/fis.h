@@ -59,7 +59,7 @@ struct rule {
     bool is_or;
 };
 
-/* A method that the file leaves out is 0; the reader takes care that no rule needs it then. */
+/* A method that the file sets to '' is 0; the reader takes care that no rule needs it then. */
 struct fis {
     char *file;
     char *name;

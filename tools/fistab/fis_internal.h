@@ -16,8 +16,8 @@ struct declared {
     size_t output_sets[FIS_VARIABLES_MAX];
 };
 
-/* Checks that the parts make a system, and brings them into one shape: trailing zeros of old parameter
- * lists cut off. Returns EXIT_FINE, or EXIT_INPUT after a message. */
+/* Checks that the parts make a system, and brings them into one shape: trailing zeros of old
+ * parameter lists cut off. Returns EXIT_FINE, or EXIT_INPUT after a message. */
 int fis_validate(struct fis *fis, const struct declared *declared);
 
 #endif

@@ -15,7 +15,8 @@ struct writer {
     char upper[64];
 };
 
-bool header_reciprocal(unsigned long span_milli, unsigned long cells, unsigned *mul, unsigned *shift)
+bool header_reciprocal(unsigned long span_milli, unsigned long cells, unsigned *mul,
+                       unsigned *shift)
 {
     if (span_milli == 0 || span_milli > 0xFFFF)
         return false;
@@ -27,7 +28,8 @@ bool header_reciprocal(unsigned long span_milli, unsigned long cells, unsigned *
         if (candidate > 0xFFFF)
             return false;
         *mul = (unsigned)candidate;
-        while (offset <= span_milli && offset * candidate >> (16 + *shift) == offset * cells / span_milli)
+        while (offset <= span_milli &&
+               offset * candidate >> (16 + *shift) == offset * cells / span_milli)
             offset++;
         if (offset > span_milli)
             return true;
@@ -76,8 +78,8 @@ static void write_methods(const struct writer *w)
     const struct fis *fis = w->table->fis;
     const struct table_options *options = &w->table->options;
 
-    fprintf(w->out, " * %s: and %s, or %s", fis_type_words[fis->type], fis_and_words[fis->and_method],
-            fis_or_words[fis->or_method]);
+    fprintf(w->out, " * %s: and %s, or %s", fis_type_words[fis->type],
+            fis_and_words[fis->and_method], fis_or_words[fis->or_method]);
     if (fis->type == FIS_MAMDANI)
         fprintf(w->out, ", implication %s, aggregation %s", fis_imp_words[fis->imp_method],
                 fis_agg_words[fis->agg_method]);
@@ -87,8 +89,10 @@ static void write_methods(const struct writer *w)
     else if (fis->type == FIS_MAMDANI)
         fprintf(w->out, " of %zu samples", options->infer.samples);
     fprintf(w->out, ".\n * %s; value = round(%d * (output - min) / (max - min)), half up",
-            options->nodes ? "Sampled at nodes from end to end" : "Sampled at cell centres", options->levels);
-    fprintf(w->out, ".\n * Repair: %s.\n", w->options->repair != NULL ? w->options->repair : "none");
+            options->nodes ? "Sampled at nodes from end to end" : "Sampled at cell centres",
+            options->levels);
+    fprintf(w->out, ".\n * Repair: %s.\n",
+            w->options->repair != NULL ? w->options->repair : "none");
 }
 
 static void write_comment(const struct writer *w)
@@ -102,19 +106,20 @@ static void write_comment(const struct writer *w)
     for (size_t i = 0; i < w->table->inputs; i++) {
         fprintf(w->out, " * input %zu, ", i + 1);
         put_text(w->out, fis->input[i].name);
-        fprintf(w->out, ": %.10g to %.10g in %zu %s\n", fis->input[i].min, fis->input[i].max, w->table->dims[i],
-                w->table->options.nodes ? "nodes" : "cells");
+        fprintf(w->out, ": %.10g to %.10g in %zu %s\n", fis->input[i].min, fis->input[i].max,
+                w->table->dims[i], w->table->options.nodes ? "nodes" : "cells");
     }
     for (size_t o = 0; o < w->table->outputs; o++) {
         fprintf(w->out, " * output %zu, ", o + 1);
         put_text(w->out, fis->output[o].name);
-        fprintf(w->out, ": 0 means %.10g, %d means %.10g\n", fis->output[o].min, w->table->options.levels,
-                fis->output[o].max);
+        fprintf(w->out, ": 0 means %.10g, %d means %.10g\n", fis->output[o].min,
+                w->table->options.levels, fis->output[o].max);
     }
     fprintf(w->out, " */\n");
 }
 
-static void write_range(const struct writer *w, const char *kind, size_t number, const struct variable *variable)
+static void write_range(const struct writer *w, const char *kind, size_t number,
+                        const struct variable *variable)
 {
     long min, span;
 
@@ -122,8 +127,10 @@ static void write_range(const struct writer *w, const char *kind, size_t number,
         fprintf(w->out, "#define %s_%s%zu_MIN_MILLI %ldL\n", w->upper, kind, number, min);
         fprintf(w->out, "#define %s_%s%zu_SPAN_MILLI %ldUL\n", w->upper, kind, number, span);
     } else {
-        fprintf(w->out, "/* %s%zu: its range is not in whole thousandths, so no MIN_MILLI and SPAN_MILLI. */\n", kind,
-                number);
+        fprintf(
+            w->out,
+            "/* %s%zu: its range is not in whole thousandths, so no MIN_MILLI and SPAN_MILLI. */\n",
+            kind, number);
     }
 }
 
@@ -143,11 +150,13 @@ static void write_input(const struct writer *w, size_t i)
     if (!milli(input->min, &min) || !milli(input->max - input->min, &span))
         return;
     if (header_reciprocal((unsigned long)span, cells, &mul, &shift)) {
-        fprintf(w->out, "/* cell = ((x_milli - MIN_MILLI) * MUL) >> (16 + SHIFT), proved for every x_milli */\n");
+        fprintf(w->out, "/* cell = ((x_milli - MIN_MILLI) * MUL) >> (16 + SHIFT), proved for every "
+                        "x_milli */\n");
         fprintf(w->out, "#define %s_IN%zu_MUL %uU\n", w->upper, i + 1, mul);
         fprintf(w->out, "#define %s_IN%zu_SHIFT %u\n", w->upper, i + 1, shift);
     } else {
-        fprintf(w->out, "/* IN%zu: no MUL and SHIFT of 16 bits is exact over this span. */\n", i + 1);
+        fprintf(w->out, "/* IN%zu: no MUL and SHIFT of 16 bits is exact over this span. */\n",
+                i + 1);
     }
 }
 
@@ -160,7 +169,8 @@ static size_t array_bytes(const struct header_array *array)
 }
 
 /* One dimension of an initializer, with braces around each row as compilers like them. */
-static const uint8_t *write_braces(FILE *out, const struct header_array *array, size_t dimension, const uint8_t *byte)
+static const uint8_t *write_braces(FILE *out, const struct header_array *array, size_t dimension,
+                                   const uint8_t *byte)
 {
     bool is_row = dimension + 1 == array->dimensions;
 
@@ -205,7 +215,8 @@ void header_write(FILE *out, const struct table *table, const struct header_opti
     write_comment(&w);
     fprintf(out, "#define %s_SOURCE ", w.upper);
     put_quoted(out, file_name(table->fis->file));
-    fprintf(out, "\n#define %s_SOURCE_CRC32 0x%08lXUL\n", w.upper, (unsigned long)table->fis->crc32);
+    fprintf(out, "\n#define %s_SOURCE_CRC32 0x%08lXUL\n", w.upper,
+            (unsigned long)table->fis->crc32);
     fprintf(out, "#define %s_INPUTS %zu\n", w.upper, table->inputs);
     fprintf(out, "#define %s_OUTPUTS %zu\n", w.upper, table->outputs);
     fprintf(out, "#define %s_LEVELS %d\n", w.upper, table->options.levels);

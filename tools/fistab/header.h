@@ -16,7 +16,7 @@ struct header_array {
 };
 
 struct header_options {
-    const char *name;   /* prefix of every symbol; macros in capitals. A C identifier. */
+    const char *name; /* prefix of every symbol; macros in capitals. A C identifier. */
     bool packed;
     const char *repair; /* what the comment says of a repair; NULL: none */
     const struct header_array *array;
@@ -31,8 +31,9 @@ void header_write(FILE *out, const struct table *table, const struct header_opti
 void csv_write(FILE *out, const struct table *table);
 
 /* The reciprocal that turns an offset of 0..SPAN_MILLI into a cell of CELLS without a division:
- * cell = (offset * mul) >> (16 + shift). True if there is one that is exact at every offset, by trying
- * them all; at offset SPAN_MILLI itself the result may be CELLS, and the user clamps. */
-bool header_reciprocal(unsigned long span_milli, unsigned long cells, unsigned *mul, unsigned *shift);
+ * cell = (offset * mul) >> (16 + shift). True if there is one that is exact at every offset, by
+ * trying them all; at offset SPAN_MILLI itself the result may be CELLS, and the user clamps. */
+bool header_reciprocal(unsigned long span_milli, unsigned long cells, unsigned *mul,
+                       unsigned *shift);
 
 #endif

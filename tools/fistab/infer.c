@@ -36,16 +36,17 @@ struct engine {
     const struct fis *fis;
     struct infer_options options;
     struct output_plan *plan;
-    double **degree;   /* of each input's sets, at the point x */
-    double *x;         /* the point the degrees are for */
-    double *strength;  /* of each rule */
-    double *aggregate; /* workspace: the output set at the samples */
+    double **degree;         /* of each input's sets, at the point x */
+    double *x;               /* the point the degrees are for */
+    double *strength;        /* of each rule */
+    double *aggregate;       /* workspace: the output set at the samples */
     struct exact_term *term; /* workspace: the clauses of one output that fire */
     size_t *term_of;         /* workspace: consequent -> its term, when they merge */
     bool *fired;
 };
 
-/* --- setting up --------------------------------------------------------------------------------- */
+/* --- setting up ---------------------------------------------------------------------------------
+ */
 
 static size_t find_consequent(struct output_plan *plan, const struct set *set, bool negated)
 {
@@ -88,7 +89,8 @@ static bool sample_consequents(struct output_plan *plan, size_t samples)
         return false;
     /* In this order of operations as MATLAB's linspace, to the last bit. */
     for (size_t k = 0; k < samples; k++)
-        plan->x[k] = variable->min + (double)k * (variable->max - variable->min) / (double)(samples - 1);
+        plan->x[k] =
+            variable->min + (double)k * (variable->max - variable->min) / (double)(samples - 1);
     plan->x[samples - 1] = variable->max;
 
     for (size_t i = 0; i < plan->consequents; i++) {
@@ -130,8 +132,8 @@ static bool allocate(struct engine *e)
     e->aggregate = calloc(e->options.samples, sizeof *e->aggregate);
     e->term = calloc(fis->rules + 1, sizeof *e->term);
     e->fired = calloc(fis->outputs, sizeof *e->fired);
-    if (e->plan == NULL || e->degree == NULL || e->x == NULL || e->strength == NULL || e->aggregate == NULL ||
-        e->term == NULL || e->fired == NULL)
+    if (e->plan == NULL || e->degree == NULL || e->x == NULL || e->strength == NULL ||
+        e->aggregate == NULL || e->term == NULL || e->fired == NULL)
         return false;
     for (size_t i = 0; i < fis->inputs; i++) {
         e->x[i] = NAN; /* differs from every point */
@@ -142,7 +144,8 @@ static bool allocate(struct engine *e)
     for (size_t o = 0; o < fis->outputs; o++) {
         if (!plan_clauses(fis, &e->plan[o], o))
             return false;
-        if (fis->type == FIS_MAMDANI && !e->options.exact && !sample_consequents(&e->plan[o], e->options.samples))
+        if (fis->type == FIS_MAMDANI && !e->options.exact &&
+            !sample_consequents(&e->plan[o], e->options.samples))
             return false;
         if (e->plan[o].consequents > consequents)
             consequents = e->plan[o].consequents;
@@ -156,7 +159,8 @@ struct engine *engine_create(const struct fis *fis, const struct infer_options *
     struct engine *engine;
 
     if (too_large(fis, options)) {
-        diag_error(fis->file, 0, "%zu samples of so many output sets are beyond fistab's limit; take fewer",
+        diag_error(fis->file, 0,
+                   "%zu samples of so many output sets are beyond fistab's limit; take fewer",
                    options->samples);
         return NULL;
     }
@@ -196,7 +200,8 @@ void engine_free(struct engine *e)
     free(e);
 }
 
-/* --- a point ------------------------------------------------------------------------------------ */
+/* --- a point ------------------------------------------------------------------------------------
+ */
 
 /* An input that has not moved since the last point keeps its degrees: in a table most have not. */
 static void fuzzify(struct engine *e, const double *x)
@@ -214,8 +219,8 @@ static void fuzzify(struct engine *e, const double *x)
     }
 }
 
-/* A condition that is not used counts as 1 for and, as 0 for or: MATLAB's rule, also where a rule has
- * no condition at all. */
+/* A condition that is not used counts as 1 for and, as 0 for or: MATLAB's rule, also where a rule
+ * has no condition at all. */
 static double firing_strength(const struct engine *e, const struct rule *rule)
 {
     const struct fis *fis = e->fis;
@@ -231,7 +236,8 @@ static double firing_strength(const struct engine *e, const struct rule *rule)
         if (term < 0)
             degree = 1 - degree;
         if (rule->is_or)
-            strength = fis->or_method == OR_PROBOR ? strength + degree - strength * degree : fmax(strength, degree);
+            strength = fis->or_method == OR_PROBOR ? strength + degree - strength * degree
+                                                   : fmax(strength, degree);
         else
             strength = fis->and_method == AND_PROD ? strength * degree : fmin(strength, degree);
         if (strength == 0 && !rule->is_or)
@@ -250,7 +256,8 @@ static double sugeno_value(const struct fis *fis, const struct set *set, const d
     return value;
 }
 
-static bool eval_sugeno(const struct engine *e, const struct output_plan *plan, const double *x, double *y)
+static bool eval_sugeno(const struct engine *e, const struct output_plan *plan, const double *x,
+                        double *y)
 {
     double sum = 0;
     double weights = 0;
@@ -269,7 +276,8 @@ static bool eval_sugeno(const struct engine *e, const struct output_plan *plan, 
 }
 
 /* The clauses that fire, as terms. With max as aggregation, rules with the same consequent are one
- * term with the largest strength: max(min(a, m), min(b, m)) = min(max(a, b), m), product likewise. */
+ * term with the largest strength: max(min(a, m), min(b, m)) = min(max(a, b), m), product likewise.
+ */
 static size_t collect_terms(struct engine *e, const struct output_plan *plan)
 {
     bool merge = e->fis->agg_method == AGG_MAX;
@@ -300,7 +308,8 @@ static size_t collect_terms(struct engine *e, const struct output_plan *plan)
     return terms;
 }
 
-static void aggregate(const struct fis *fis, const struct consequent *c, double strength, double *out)
+static void aggregate(const struct fis *fis, const struct consequent *c, double strength,
+                      double *out)
 {
     bool product = fis->imp_method == IMP_PROD;
 
@@ -332,9 +341,12 @@ static bool eval_mamdani(struct engine *e, const struct output_plan *plan, doubl
 
     if (terms == 0)
         return false;
+    if (e->options.exact)
+        return exact_defuzz(e->fis, plan->variable, e->term, terms, y);
     memset(e->aggregate, 0, samples * sizeof *e->aggregate);
     for (size_t i = 0; i < terms; i++)
-        aggregate(e->fis, &plan->consequent[e->term[i].consequent], e->term[i].strength, e->aggregate);
+        aggregate(e->fis, &plan->consequent[e->term[i].consequent], e->term[i].strength,
+                  e->aggregate);
     return defuzz(e->fis->defuzz_method, plan->x, e->aggregate, samples, y);
 }
 

@@ -8,11 +8,11 @@ static const struct {
     const char *name;
     size_t parameters;
 } type[] = {
-    [MF_TRIMF] = {"trimf", 3},       [MF_TRAPMF] = {"trapmf", 4},     [MF_GAUSSMF] = {"gaussmf", 2},
-    [MF_GAUSS2MF] = {"gauss2mf", 4}, [MF_GBELLMF] = {"gbellmf", 3},   [MF_SIGMF] = {"sigmf", 2},
-    [MF_DSIGMF] = {"dsigmf", 4},     [MF_PSIGMF] = {"psigmf", 4},     [MF_ZMF] = {"zmf", 2},
-    [MF_SMF] = {"smf", 2},           [MF_PIMF] = {"pimf", 4},         [MF_LINZMF] = {"linzmf", 2},
-    [MF_LINSMF] = {"linsmf", 2},     [MF_PWLMF] = {"pwlmf", 0},       [MF_CONSTANT] = {"constant", 1},
+    [MF_TRIMF] = {"trimf", 3},       [MF_TRAPMF] = {"trapmf", 4},   [MF_GAUSSMF] = {"gaussmf", 2},
+    [MF_GAUSS2MF] = {"gauss2mf", 4}, [MF_GBELLMF] = {"gbellmf", 3}, [MF_SIGMF] = {"sigmf", 2},
+    [MF_DSIGMF] = {"dsigmf", 4},     [MF_PSIGMF] = {"psigmf", 4},   [MF_ZMF] = {"zmf", 2},
+    [MF_SMF] = {"smf", 2},           [MF_PIMF] = {"pimf", 4},       [MF_LINZMF] = {"linzmf", 2},
+    [MF_LINSMF] = {"linsmf", 2},     [MF_PWLMF] = {"pwlmf", 0},     [MF_CONSTANT] = {"constant", 1},
     [MF_LINEAR] = {"linear", 0},
 };
 
@@ -58,11 +58,11 @@ const char *mf_fault(enum mf_kind kind, const double *p, size_t count)
 {
     if (kind == MF_PWLMF)
         return pwl_fault(p, count);
-    /* A trapezoid may be open to one side, as [-Inf -Inf 2 3] or [2 3 Inf Inf]; nothing else may. */
+    /* A trapezoid may be open to one side, as [-Inf -Inf 2 3] or [2 3 Inf Inf]; nothing else may.
+     */
     for (size_t i = 0; i < count; i++)
-        if (!isfinite(p[i]) &&
-            !(kind == MF_TRAPMF && ((i < 2 && p[0] == p[1] && p[i] < 0) ||
-                                    (i >= 2 && p[2] == p[3] && p[i] > 0))))
+        if (!isfinite(p[i]) && !(kind == MF_TRAPMF && ((i < 2 && p[0] == p[1] && p[i] < 0) ||
+                                                       (i >= 2 && p[2] == p[3] && p[i] > 0))))
             return "finite numbers";
     switch (kind) {
     case MF_TRIMF:
@@ -182,8 +182,8 @@ double mf_degree(enum mf_kind kind, const double *p, size_t count, double x)
         return spline_up(x, p[0], p[1]);
     case MF_PIMF:
         return spline_up(x, p[0], p[1]) * spline_down(x, p[2], p[3]);
-    case MF_LINZMF:
-        return ramp_down(x, p[0], p[1]);
+    case MF_LINZMF: /* MATLAB documents 0 at the step of [a a], other than for trapmf */
+        return p[0] == p[1] ? x < p[0] : ramp_down(x, p[0], p[1]);
     case MF_LINSMF:
         return ramp_up(x, p[0], p[1]);
     case MF_PWLMF:

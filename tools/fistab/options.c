@@ -6,7 +6,8 @@
 
 enum { KEY_SAMPLES = 0x100, KEY_EXACT };
 
-long option_integer(const char *text, long min, long max, const char *option, struct argp_state *state)
+long option_integer(const char *text, long min, long max, const char *option,
+                    struct argp_state *state)
 {
     char *end;
     long number;
@@ -24,7 +25,11 @@ static error_t parse_infer(int key, char *argument, struct argp_state *state)
 
     switch (key) {
     case KEY_SAMPLES:
-        options->samples = (size_t)option_integer(argument, 2, INFER_SAMPLES_MAX, "--samples", state);
+        options->samples =
+            (size_t)option_integer(argument, 2, INFER_SAMPLES_MAX, "--samples", state);
+        return 0;
+    case KEY_EXACT:
+        options->exact = true;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -32,7 +37,10 @@ static error_t parse_infer(int key, char *argument, struct argp_state *state)
 }
 
 static const struct argp_option infer_option[] = {
-    {"samples", KEY_SAMPLES, "N", 0, "Sample Mamdani outputs at N points; MATLAB's 101 if not given", 1},
+    {"samples", KEY_SAMPLES, "N", 0,
+     "Sample Mamdani outputs at N points; MATLAB's 101 if not given", 1},
+    {"exact", KEY_EXACT, NULL, 0,
+     "Integrate Mamdani outputs instead: exactly, or to 1e-9 of the range", 1},
     {0},
 };
 

@@ -18,7 +18,7 @@ const char *const fis_and_words[] = {"", "min", "prod", NULL};
 const char *const fis_or_words[] = {"", "max", "probor", NULL};
 const char *const fis_imp_words[] = {"", "min", "prod", NULL};
 const char *const fis_agg_words[] = {"", "max", "sum", "probor", NULL};
-const char *const fis_defuzz_words[] = {"",    "centroid", "bisector", "mom",  "lom",
+const char *const fis_defuzz_words[] = {"",    "centroid", "bisector", "mom", "lom",
                                         "som", "wtaver",   "wtsum",    NULL};
 
 enum section { SECTION_NONE, SECTION_SYSTEM, SECTION_VARIABLE, SECTION_RULES };
@@ -65,7 +65,11 @@ static const char *choices(const char *const *words, char *buffer, size_t size)
     buffer[0] = '\0';
     for (size_t i = 1; words[i] != NULL; i++) {
         size_t used = strlen(buffer);
-        snprintf(buffer + used, size - used, "%s%s", i == 1 ? "" : words[i + 1] ? ", " : " or ", words[i]);
+        snprintf(buffer + used, size - used, "%s%s",
+                 i == 1         ? ""
+                 : words[i + 1] ? ", "
+                                : " or ",
+                 words[i]);
     }
     return buffer;
 }
@@ -130,8 +134,9 @@ static int find_key(struct parser *p, const char *const *keys)
 
 static int parse_system(struct parser *p)
 {
-    static const char *const keys[] = {"Name",      "Type",     "Version",   "NumInputs", "NumOutputs",   "NumRules",
-                                       "AndMethod", "OrMethod", "ImpMethod", "AggMethod", "DefuzzMethod", NULL};
+    static const char *const keys[] = {"Name",       "Type",      "Version",      "NumInputs",
+                                       "NumOutputs", "NumRules",  "AndMethod",    "OrMethod",
+                                       "ImpMethod",  "AggMethod", "DefuzzMethod", NULL};
     struct fis *fis = p->fis;
     int key = find_key(p, keys);
     int method = 0;
@@ -178,7 +183,8 @@ static int parse_system(struct parser *p)
         fis->defuzz_method = (enum fis_defuzz)method;
         return status;
     default:
-        return FAIL(p, "[System] has no key '%s' in MATLAB's format; remove the line", p->scan.word);
+        return FAIL(p, "[System] has no key '%s' in MATLAB's format; remove the line",
+                    p->scan.word);
     }
 }
 
@@ -196,7 +202,8 @@ static int parse_range(struct parser *p)
     if (!scan_char(&p->scan, ']'))
         return FAIL(p, "a range is written Range=[0 10]");
     if (!isfinite(variable->min) || !isfinite(variable->max) || !(variable->min < variable->max))
-        return FAIL(p, "Range=[%g %g] is empty; write the smaller end first", variable->min, variable->max);
+        return FAIL(p, "Range=[%g %g] is empty; write the smaller end first", variable->min,
+                    variable->max);
     return EXIT_FINE;
 }
 
@@ -235,8 +242,10 @@ static int parse_set(struct parser *p, long number)
     char *kind;
 
     if (number < 1 || number > FIS_SETS_MAX)
-        return FAIL(p, "MF%ld: sets are numbered from 1 to fistab's limit of %d", number, FIS_SETS_MAX);
-    if (grow(p, (void **)&variable->set, &variable->sets, (size_t)number - 1, sizeof *set) != EXIT_FINE)
+        return FAIL(p, "MF%ld: sets are numbered from 1 to fistab's limit of %d", number,
+                    FIS_SETS_MAX);
+    if (grow(p, (void **)&variable->set, &variable->sets, (size_t)number - 1, sizeof *set) !=
+        EXIT_FINE)
         return EXIT_INPUT;
     set = &variable->set[number - 1];
     if (set->line != 0)
@@ -250,9 +259,12 @@ static int parse_set(struct parser *p, long number)
         return EXIT_INPUT;
     set->kind = mf_kind_by_name(kind);
     if (set->kind == MF_UNKNOWN) {
-        FAIL(p, "'%s' is not a membership function of MATLAB's that fistab knows; those are "
-                "trimf trapmf gaussmf gauss2mf gbellmf sigmf dsigmf psigmf zmf smf pimf linzmf linsmf pwlmf, "
-                "Sugeno outputs constant linear", kind);
+        FAIL(p,
+             "'%s' is not a membership function of MATLAB's that fistab knows; those are "
+             "trimf trapmf gaussmf gauss2mf gbellmf sigmf dsigmf psigmf zmf smf pimf linzmf linsmf "
+             "pwlmf, "
+             "Sugeno outputs constant linear",
+             kind);
         free(kind);
         return EXIT_INPUT;
     }
@@ -265,12 +277,9 @@ static int parse_set(struct parser *p, long number)
 /* fuzzylite adds keys of its own; with the values that change nothing they are let pass. */
 static int parse_foreign_key(struct parser *p)
 {
-    static const char *const harmless[][2] = {{"Enabled", "1"},
-                                              {"Default", "nan"},
-                                              {"LockRange", "0"},
-                                              {"LockValueInRange", "0"},
-                                              {"LockPrevious", "0"},
-                                              {"LockValid", "0"}};
+    static const char *const harmless[][2] = {{"Enabled", "1"},      {"Default", "nan"},
+                                              {"LockRange", "0"},    {"LockValueInRange", "0"},
+                                              {"LockPrevious", "0"}, {"LockValid", "0"}};
 
     for (size_t i = 0; i < sizeof harmless / sizeof harmless[0]; i++) {
         const char *key = harmless[i][0];
@@ -321,7 +330,9 @@ static int take_rule_number(struct parser *p, int *term)
     if (scan_number(&p->scan, &number) != EXIT_FINE)
         return EXIT_INPUT;
     if (number != floor(number))
-        return FAIL(p, "%g in a rule is a hedge of Octave's or an error; MATLAB has whole numbers here", number);
+        return FAIL(
+            p, "%g in a rule is a hedge of Octave's or an error; MATLAB has whole numbers here",
+            number);
     if (fabs(number) > FIS_SETS_MAX)
         return FAIL(p, "there is no set %g; sets go to fistab's limit of %d", number, FIS_SETS_MAX);
     *term = (int)number;
@@ -330,11 +341,13 @@ static int take_rule_number(struct parser *p, int *term)
 
 static int rule_form(struct parser *p)
 {
-    return FAIL(p, "a rule is written '1 2, 3 (1) : 1': sets of the inputs, sets of the outputs, (weight), "
-                   "1 = and or 2 = or");
+    return FAIL(
+        p, "a rule is written '1 2, 3 (1) : 1': sets of the inputs, sets of the outputs, (weight), "
+           "1 = and or 2 = or");
 }
 
-/* `1 2, 3 (1) : 1`. How many inputs and outputs there must be is known only after the whole file. */
+/* `1 2, 3 (1) : 1`. How many inputs and outputs there must be is known only after the whole file.
+ */
 static int parse_rule(struct parser *p)
 {
     struct fis *fis = p->fis;
@@ -354,7 +367,8 @@ static int parse_rule(struct parser *p)
         } else if (*p->scan.at == '\0' || *p->scan.at == ')' || *p->scan.at == ':') {
             return rule_form(p);
         } else if (terms == 2 * FIS_VARIABLES_MAX) {
-            return FAIL(p, "a rule has more than %d numbers, fistab's limit", 2 * FIS_VARIABLES_MAX);
+            return FAIL(p, "a rule has more than %d numbers, fistab's limit",
+                        2 * FIS_VARIABLES_MAX);
         } else {
             if (take_rule_number(p, &term[terms]) != EXIT_FINE)
                 return EXIT_INPUT;
@@ -390,7 +404,8 @@ static int parse_rule(struct parser *p)
     return EXIT_FINE;
 }
 
-static int open_variable(struct parser *p, struct variable **list, size_t *count, size_t *declared, long number)
+static int open_variable(struct parser *p, struct variable **list, size_t *count, size_t *declared,
+                         long number)
 {
     if (number < 1 || number > FIS_VARIABLES_MAX)
         return FAIL(p, "[%s]: variables are numbered from 1 to fistab's limit of %d", p->scan.word,
@@ -400,7 +415,8 @@ static int open_variable(struct parser *p, struct variable **list, size_t *count
     p->variable = &(*list)[number - 1];
     p->sets_declared = &declared[number - 1];
     if (p->variable->line != 0)
-        return FAIL(p, "[%s] stands twice; the first is on line %d", p->scan.word, p->variable->line);
+        return FAIL(p, "[%s] stands twice; the first is on line %d", p->scan.word,
+                    p->variable->line);
     p->variable->line = p->scan.line;
     p->section = SECTION_VARIABLE;
     return EXIT_FINE;
@@ -424,12 +440,16 @@ static int parse_section(struct parser *p)
         p->section = word[0] == 'S' ? SECTION_SYSTEM : SECTION_RULES;
     } else if (strncmp(word, "Input", 5) == 0) {
         long number = strtol(word + 5, &end, 10);
-        status = open_variable(p, &fis->input, &fis->inputs, p->declared->input_sets, *end == '\0' ? number : 0);
+        status = open_variable(p, &fis->input, &fis->inputs, p->declared->input_sets,
+                               *end == '\0' ? number : 0);
     } else if (strncmp(word, "Output", 6) == 0) {
         long number = strtol(word + 6, &end, 10);
-        status = open_variable(p, &fis->output, &fis->outputs, p->declared->output_sets, *end == '\0' ? number : 0);
+        status = open_variable(p, &fis->output, &fis->outputs, p->declared->output_sets,
+                               *end == '\0' ? number : 0);
     } else {
-        return FAIL(p, "there is no section [%s]; there are [System], [Input1], [Output1] and [Rules]", word);
+        return FAIL(p,
+                    "there is no section [%s]; there are [System], [Input1], [Output1] and [Rules]",
+                    word);
     }
     return status;
 }
@@ -456,6 +476,13 @@ int fis_parse(const char *file, const char *text, size_t length, struct fis *fis
     int status;
 
     memset(fis, 0, sizeof *fis);
+    /* What MATLAB's readfis takes where the file says nothing. */
+    fis->type = FIS_MAMDANI;
+    fis->and_method = AND_MIN;
+    fis->or_method = OR_MAX;
+    fis->imp_method = IMP_MIN;
+    fis->agg_method = AGG_MAX;
+    fis->defuzz_method = DEFUZZ_CENTROID;
     memset(&declared, 0xFF, sizeof declared); /* every count NOT_DECLARED */
     declared.system_line = declared.rules_line = 0;
     status = scan_open(&p.scan, file, text, length);

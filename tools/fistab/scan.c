@@ -13,7 +13,12 @@
 /* Length of the UTF-8 character at S, 0 if it is none. Bytes after the end are 0. */
 static size_t utf8_length(const unsigned char *s)
 {
-    size_t length = s[0] < 0x80 ? 1 : s[0] < 0xC2 ? 0 : s[0] < 0xE0 ? 2 : s[0] < 0xF0 ? 3 : s[0] < 0xF5 ? 4 : 0;
+    size_t length = s[0] < 0x80   ? 1
+                    : s[0] < 0xC2 ? 0
+                    : s[0] < 0xE0 ? 2
+                    : s[0] < 0xF0 ? 3
+                    : s[0] < 0xF5 ? 4
+                                  : 0;
 
     for (size_t i = 1; i < length; i++)
         if ((s[i] & 0xC0) != 0x80)
@@ -56,7 +61,8 @@ int scan_open(struct scan *scan, const char *file, const char *text, size_t leng
     memset(scan, 0, sizeof *scan);
     scan->file = file;
     if (length > FIS_BYTES_MAX)
-        return diag_error(file, 0, "larger than %d bytes, the limit; is this a .fis file?", FIS_BYTES_MAX);
+        return diag_error(file, 0, "larger than %d bytes, the limit; is this a .fis file?",
+                          FIS_BYTES_MAX);
     if (length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
         text += 3;
         length -= 3;
@@ -65,8 +71,9 @@ int scan_open(struct scan *scan, const char *file, const char *text, size_t leng
         length--;
     for (size_t i = 0; i < length; i++)
         if ((unsigned char)text[i] < ' ' && strchr("\t\n\v\f\r", text[i]) == NULL)
-            return diag_error(file, 0, "holds a control character (byte %d is 0x%02X); a .fis is a text file",
-                              (int)i + 1, (unsigned)text[i]);
+            return diag_error(
+                file, 0, "holds a control character (byte %d is 0x%02X); a .fis is a text file",
+                (int)i + 1, (unsigned)text[i]);
         else if (text[i] == '\0')
             return diag_error(file, 0, "holds a zero byte; save it as plain text, not as UTF-16");
     scan->text = malloc(length + 1);
@@ -177,8 +184,8 @@ int scan_number(struct scan *scan, double *number)
         memchr(scan->at, 'X', length) != NULL || isnan(*number))
         return diag_error(scan->file, scan->line, "expected a number, found '%.40s'", scan->at);
     if (isfinite(*number) && fabs(*number) > FIS_NUMBER_MAX)
-        return diag_error(scan->file, scan->line, "'%.*s' is beyond the limit of %g", (int)length, scan->at,
-                          FIS_NUMBER_MAX);
+        return diag_error(scan->file, scan->line, "'%.*s' is beyond the limit of %g", (int)length,
+                          scan->at, FIS_NUMBER_MAX);
     scan->at += length;
     return EXIT_FINE;
 }
@@ -191,7 +198,8 @@ int scan_quoted(struct scan *scan, char **string)
     skip_blanks(scan);
     quote = *scan->at;
     if (quote != '\'' && quote != '"')
-        return diag_error(scan->file, scan->line, "expected a name in quotes, found '%.40s'", scan->at);
+        return diag_error(scan->file, scan->line, "expected a name in quotes, found '%.40s'",
+                          scan->at);
     *string = out = malloc(strlen(scan->at));
     if (out == NULL)
         return diag_error(scan->file, scan->line, "out of memory");

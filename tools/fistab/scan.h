@@ -18,8 +18,9 @@ struct scan {
 int scan_open(struct scan *scan, const char *file, const char *text, size_t length);
 void scan_close(struct scan *scan);
 
-/* Goes to the next line that holds more than blanks and comments; false after the last one. A comment
- * begins with % outside quotes, or with # or // at the start of a line (Octave, fuzzylite). */
+/* Goes to the next line that holds more than blanks and comments; false after the last one. A
+ * comment begins with % outside quotes, or with # or // at the start of a line (Octave, fuzzylite).
+ */
 bool scan_line(struct scan *scan);
 
 /* Each skips blanks first. The char and word scanners are silent where there is none. */

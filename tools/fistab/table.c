@@ -22,7 +22,8 @@ double table_axis_value(const struct table *table, size_t input, size_t index)
 
     if (!table->options.nodes)
         return variable->min + span * (2 * (double)index + 1) / (2 * (double)dim);
-    return index + 1 == dim ? variable->max : variable->min + span * (double)index / (double)(dim - 1);
+    return index + 1 == dim ? variable->max
+                            : variable->min + span * (double)index / (double)(dim - 1);
 }
 
 void table_coordinates(const struct table *table, size_t cell, size_t *at)
@@ -44,8 +45,8 @@ static const char *point_text(const struct fis *fis, const double *x, char *buff
     size_t used = 0;
 
     for (size_t i = 0; i < fis->inputs && used < size; i++) {
-        int length =
-            snprintf(buffer + used, size - used, "%s%s = %.6g", i == 0 ? "" : ", ", fis->input[i].name, x[i]);
+        int length = snprintf(buffer + used, size - used, "%s%s = %.6g", i == 0 ? "" : ", ",
+                              fis->input[i].name, x[i]);
         used += length > 0 ? (size_t)length : 0;
     }
     return buffer;
@@ -68,12 +69,14 @@ static int sample_cell(struct table *table, struct engine *engine, size_t cell)
         double levels = (y[o] - output->min) / (output->max - output->min) * table->options.levels;
 
         if (!engine_fired(engine, o))
-            return diag_error(fis->file, 0, "no rule for '%s' fires at %s; a table has no holes, add a rule",
+            return diag_error(fis->file, 0,
+                              "no rule for '%s' fires at %s; a table has no holes, add a rule",
                               output->name, point_text(fis, x, buffer, sizeof buffer));
         if (levels < -1e-9 || levels > table->options.levels + 1e-9)
-            return diag_error(fis->file, 0, "'%s' is %.6g at %s, outside its range of %g to %g; widen the range",
-                              output->name, y[o], point_text(fis, x, buffer, sizeof buffer), output->min,
-                              output->max);
+            return diag_error(fis->file, 0,
+                              "'%s' is %.6g at %s, outside its range of %g to %g; widen the range",
+                              output->name, y[o], point_text(fis, x, buffer, sizeof buffer),
+                              output->min, output->max);
         table->surface[o][cell] = fmin(fmax(levels, 0), table->options.levels);
         table->cell[o][cell] = table_round(table->surface[o][cell]);
     }
@@ -86,12 +89,14 @@ static int set_dims(struct table *table)
 
     table->cells = 1;
     for (size_t i = 0; i < table->inputs; i++) {
-        size_t dim = table->options.dims[i] != 0 ? table->options.dims[i] : table_default_dim(table->inputs);
+        size_t dim =
+            table->options.dims[i] != 0 ? table->options.dims[i] : table_default_dim(table->inputs);
 
         if (table->options.nodes && dim < 2)
             return diag_error(file, 0, "a grid of nodes needs at least 2 along each input");
         if (dim > TABLE_CELLS_MAX / table->cells)
-            return diag_error(file, 0, "a grid of more than %d cells is beyond fistab's limit", TABLE_CELLS_MAX);
+            return diag_error(file, 0, "a grid of more than %d cells is beyond fistab's limit",
+                              TABLE_CELLS_MAX);
         table->dims[i] = dim;
         table->cells *= dim;
     }
@@ -124,7 +129,8 @@ int table_make(const struct fis *fis, const struct table_options *options, struc
     table->inputs = fis->inputs;
     table->outputs = fis->outputs;
     if (fis->inputs > TABLE_INPUTS_MAX)
-        return diag_error(fis->file, 0, "%zu inputs; a table has at most %d", fis->inputs, TABLE_INPUTS_MAX);
+        return diag_error(fis->file, 0, "%zu inputs; a table has at most %d", fis->inputs,
+                          TABLE_INPUTS_MAX);
     status = set_dims(table);
     if (status == EXIT_FINE && !allocate(table))
         status = diag_error(fis->file, 0, "out of memory");
