@@ -8,9 +8,9 @@
 
 #if LUT_PACKED
 
-/* The parts of the table, and how they make a cell, stand in tools/fistab/pack.h. Nearly every index
- * is a variable of one byte, as SDCC then reads the part by one `movc` from a fixed address; an
- * expression in its place is an int. */
+/* The parts of the table, and how they make a cell, stand in tools/fistab/pack.h. Nearly every
+ * index is a variable of one byte, as SDCC then reads the part by one `movc` from a fixed address;
+ * an expression in its place is an int. */
 #define CHANGES(block) (lut_out1 + 0)[block]
 #define RUNS(block)    (lut_out1 + LUT_RUNS_AT)[block]
 #define PAGES(strip)   (lut_out1 + LUT_PAGES_AT)[strip]
@@ -22,17 +22,26 @@
 static const uint8_t __code bits_up_to[8] = {1, 3, 7, 15, 31, 63, 127, 255};
 static const uint8_t __code ones[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
+#if LUT_RUNS_AT > 256
+typedef uint16_t block_index;
+#else
+typedef uint8_t block_index;
+#endif
+
 uint8_t lut_at(uint8_t row, uint8_t col)
 {
     uint8_t strip = (uint8_t)(col / (uint8_t)LUT_STRIP_CELLS);
-    uint8_t block, run_low;
+    block_index block;
+    uint8_t run_low;
     uint16_t run;
 
+#if LUT_FIRST_ROW > 0
     if (row < LUT_FIRST_ROW)
         row = LUT_FIRST_ROW;
     row -= LUT_FIRST_ROW;
+#endif
     block = (uint8_t)(row >> 3);
-    block += (uint8_t)(strip * (uint8_t)LUT_BLOCKS);
+    block += (block_index)(strip * (uint8_t)LUT_BLOCKS);
 
     /* From here on `row` is the block's change bits up to the row: one a run that began. */
     row &= 7;

@@ -8,9 +8,9 @@
 #include "crc16.h"
 #include "lut_table.h"
 
-/* The cell at `row` (input 1, 0..LUT_IN1_CELLS-1) and `col` (input 2, 0..LUT_IN2_CELLS-1; 0
- * for a table of one input). The indices are not checked. Plain 24 mc, packed 112 and the same for every cell within one; the call
- * itself is not counted. */
+/* The cell at `row` (input 1, 0..LUT_IN1_CELLS-1) and `col` (input 2, 0..LUT_IN2_CELLS-1; 0 for a
+ * table of one input). The indices are not checked. Plain 24 mc; packed 111 mc, the same for every
+ * cell within one, and 118 where a table has more than 256 blocks. The call is not counted. */
 uint8_t lut_at(uint8_t row, uint8_t col);
 
 #define LUT_CRC16_START CRC16_START

@@ -6,10 +6,21 @@
 
 #include "command.h"
 #include "diag.h"
+#include "encode.h"
 #include "header.h"
+#include "repair.h"
 #include "table.h"
 
-enum { KEY_NAME = 0x200, KEY_GRID, KEY_NODES, KEY_LEVELS, KEY_CSV, KEY_ENCODING };
+enum {
+    KEY_NAME = 0x200,
+    KEY_GRID,
+    KEY_NODES,
+    KEY_LEVELS,
+    KEY_CSV,
+    KEY_ENCODING,
+    KEY_REPAIR,
+    KEY_CHANGES
+};
 
 struct arguments {
     struct table_options table;
@@ -18,6 +29,9 @@ struct arguments {
     const char *name;
     const char *header_path;
     const char *csv_path;
+    const char *changes_path;
+    struct law law; /* what --repair asks for */
+    bool packed;
 };
 
 static const struct argp_option options[] = {
@@ -32,7 +46,12 @@ static const struct argp_option options[] = {
      "Sample from end to end, for tables that the firmware interpolates", 0},
     {"levels", KEY_LEVELS, "N", 0,
      "What the high end of an output's range becomes, 1..255; 100 if not given", 0},
-    {"encoding", KEY_ENCODING, "plain", 0, "How the header stores the table", 0},
+    {"encoding", KEY_ENCODING, "plain|packed", 0,
+     "How the header stores the table; packed is small, for two inputs and one output", 0},
+    {"repair", KEY_REPAIR, "SPEC", 0,
+     "Take the nearest table that obeys SPEC: -1,+2 falls with input 1 and rises with input 2", 0},
+    {"changes", KEY_CHANGES, "FILE", 0,
+     "Write the cells that --repair changed to FILE, one line a cell", 0},
     {0},
 };
 
@@ -93,8 +112,15 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         a->table.levels = (int)option_integer(argument, 1, 255, "--levels", state);
         return 0;
     case KEY_ENCODING:
-        if (strcmp(argument, "plain") != 0)
-            argp_error(state, "--encoding=%s: there is only plain", argument);
+        a->packed = strcmp(argument, "packed") == 0;
+        if (!a->packed && strcmp(argument, "plain") != 0)
+            argp_error(state, "--encoding=%s: give plain or packed", argument);
+        return 0;
+    case KEY_REPAIR:
+        option_law(argument, "--repair", &a->law, state);
+        return 0;
+    case KEY_CHANGES:
+        a->changes_path = argument;
         return 0;
     case ARGP_KEY_ARG:
         if (a->file != NULL)
@@ -103,6 +129,10 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_NO_ARGS:
         argp_usage(state);
+        return 0;
+    case ARGP_KEY_END:
+        if (a->changes_path != NULL && a->law.text == NULL)
+            argp_error(state, "--changes lists what --repair changed; give --repair=SPEC too");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -131,66 +161,68 @@ static void name_from_file(const char *path, char *name, size_t size)
     name[used] = '\0';
 }
 
-static uint8_t *bytes_of(const struct table *table, size_t output)
+/* Repairs every output and says on stderr what that changed; SUMMARY gets it for the header. */
+static int repair(const struct arguments *a, struct table *table, char *summary, size_t size)
 {
-    uint8_t *byte = malloc(table->cells);
-
-    for (size_t cell = 0; byte != NULL && cell < table->cells; cell++)
-        byte[cell] = (uint8_t)table->cell[output][cell];
-    return byte;
-}
-
-/* One array [rows][columns]... an output. */
-static int write_plain(FILE *out, const struct table *table, const char *name)
-{
-    struct header_array array[FIS_VARIABLES_MAX] = {0};
-    char suffix[FIS_VARIABLES_MAX][8];
-    uint8_t *byte[FIS_VARIABLES_MAX] = {0};
-    struct header_options header = {.name = name, .array = array, .arrays = table->outputs};
-    int status = EXIT_FINE;
+    size_t used = (size_t)snprintf(summary, size, "%s", a->law.text);
 
     for (size_t o = 0; o < table->outputs; o++) {
-        byte[o] = bytes_of(table, o);
-        if (byte[o] == NULL)
-            status = diag_error(NULL, 0, "out of memory");
-        snprintf(suffix[o], sizeof suffix[o], "out%d", (int)o + 1);
-        array[o].suffix = suffix[o];
-        memcpy(array[o].dims, table->dims, sizeof array[o].dims);
-        array[o].dimensions = table->inputs;
-        array[o].byte = byte[o];
+        const char *name = table->fis->output[o].name;
+        struct repair_report report;
+
+        if (repair_output(table, o, &a->law, &report) != 0)
+            return diag_error(a->file, 0, "out of memory");
+        if (report.broken_after != 0)
+            return diag_error(a->file, 0,
+                              "the repair of '%s' left %zu broken pairs: a fault in fistab", name,
+                              report.broken_after);
+        fprintf(stderr,
+                "%s: '%s' broke %s between %zu pairs of neighbours; repaired by changing %zu of "
+                "%zu cells by at most "
+                "%d; the squares to the surface sum to %.3f, %.3f before\n",
+                a->file, name, a->law.text, report.broken_before, report.changed, table->cells,
+                report.largest, report.squares_after, report.squares_before);
+        if (used < size)
+            used += (size_t)snprintf(summary + used, size - used,
+                                     "; %zu of %zu cells of output %zu changed by at most %d",
+                                     report.changed, table->cells, o + 1, report.largest);
     }
-    if (status == EXIT_FINE)
-        header_write(out, table, &header);
-    for (size_t o = 0; o < table->outputs; o++)
-        free(byte[o]);
-    return status;
+    return EXIT_FINE;
 }
 
-/* Both files are made whole before either gets its name. */
-static int write_files(const struct arguments *a, const struct table *table)
+static int write_header(FILE *out, const struct arguments *a, const struct table *table,
+                        const char *repaired)
 {
-    struct outfile header = {0};
-    struct outfile csv = {0};
-    bool to_stdout = a->header_path == NULL && a->csv_path == NULL;
     char name[48];
-    int status = EXIT_FINE;
 
     name_from_file(a->file, name, sizeof name);
-    if (a->header_path != NULL)
-        status = outfile_open(&header, a->header_path);
-    if (status == EXIT_FINE && a->csv_path != NULL)
-        status = outfile_open(&csv, a->csv_path);
-    if (status == EXIT_FINE && (to_stdout || header.stream != NULL))
-        status = write_plain(to_stdout ? stdout : header.stream, table,
-                             a->name != NULL ? a->name : name);
-    if (status == EXIT_FINE && csv.stream != NULL)
-        csv_write(csv.stream, table);
-    if (status == EXIT_FINE && csv.stream != NULL)
-        status = outfile_commit(&csv);
-    if (status == EXIT_FINE && header.stream != NULL)
-        status = outfile_commit(&header);
-    outfile_abandon(&header);
-    outfile_abandon(&csv);
+    return encode_write(out, table, a->name != NULL ? a->name : name, repaired, a->packed);
+}
+
+/* All files are made whole before any gets its name. */
+static int write_files(const struct arguments *a, const struct table *table, const char *repaired)
+{
+    const char *const path[] = {a->csv_path, a->changes_path, a->header_path};
+    enum { CSV, CHANGES, HEADER, FILES };
+    struct outfile out[FILES] = {0};
+    int status = EXIT_FINE;
+
+    for (int i = 0; i < FILES && status == EXIT_FINE; i++)
+        if (path[i] != NULL)
+            status = outfile_open(&out[i], path[i]);
+    if (status == EXIT_FINE && out[HEADER].stream != NULL)
+        status = write_header(out[HEADER].stream, a, table, repaired);
+    else if (status == EXIT_FINE && a->csv_path == NULL)
+        status = write_header(stdout, a, table, repaired);
+    if (status == EXIT_FINE && out[CSV].stream != NULL)
+        csv_write(out[CSV].stream, table);
+    if (status == EXIT_FINE && out[CHANGES].stream != NULL)
+        csv_write_changes(out[CHANGES].stream, table);
+    for (int i = 0; i < FILES && status == EXIT_FINE; i++)
+        if (out[i].stream != NULL)
+            status = outfile_commit(&out[i]);
+    for (int i = 0; i < FILES; i++)
+        outfile_abandon(&out[i]);
     if (status == EXIT_FINE && fflush(stdout) != 0)
         status = diag_error("stdout", 0, "cannot write");
     return status;
@@ -199,6 +231,7 @@ static int write_files(const struct arguments *a, const struct table *table)
 int cmd_table(int argc, char **argv)
 {
     struct arguments a = {.table = {.infer = {.samples = INFER_SAMPLES}, .levels = 100}};
+    char repaired[400];
     struct table table;
     struct fis fis;
     int status;
@@ -213,9 +246,14 @@ int cmd_table(int argc, char **argv)
         status = EXIT_USAGE;
     }
     if (status == EXIT_FINE)
+        status = law_check(&a.law, &fis, "--repair");
+    if (status == EXIT_FINE)
         status = table_make(&fis, &a.table, &table);
     if (status == EXIT_FINE) {
-        status = write_files(&a, &table);
+        if (a.law.text != NULL)
+            status = repair(&a, &table, repaired, sizeof repaired);
+        if (status == EXIT_FINE)
+            status = write_files(&a, &table, a.law.text != NULL ? repaired : NULL);
         table_free(&table);
     }
     fis_free(&fis);

@@ -5,6 +5,7 @@
 #include <argp.h>
 
 #include "infer.h"
+#include "law.h"
 
 /* Each gets its own name as argv[0], the rest of the command line after it, and returns an exit
  * status. */
@@ -17,5 +18,8 @@ extern const struct argp infer_argp;
 /* A whole number of MIN..MAX, or a usage message about OPTION and exit. */
 long option_integer(const char *text, long min, long max, const char *option,
                     struct argp_state *state);
+
+/* A law of monotony, or a usage message about OPTION and exit. */
+void option_law(const char *text, const char *option, struct law *law, struct argp_state *state);
 
 #endif

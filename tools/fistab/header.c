@@ -229,8 +229,9 @@ void header_write(FILE *out, const struct table *table, const struct header_opti
     fprintf(out, "\n#define %s_PACKED %d\n", w.upper, options->packed);
     fprintf(out, "#define %s_BYTES %zu\n", w.upper, bytes);
     fprintf(out, "#define %s_CRC16 0x%04X\n", w.upper, crc);
-    if (options->defines != NULL)
-        fprintf(out, "%s", options->defines);
+    for (size_t i = 0; i < options->macros; i++)
+        fprintf(out, "#define %s_%s %zu\n", w.upper, options->macro[i].suffix,
+                options->macro[i].value);
     fprintf(out, "\n#ifdef %s_DATA\n", w.upper);
     for (size_t i = 0; i < options->arrays; i++)
         write_array(&w, &options->array[i]);
@@ -266,5 +267,33 @@ void csv_write(FILE *out, const struct table *table)
             fprintf(out, "%.10g,", table_axis_value(table, i, at[i]));
         for (size_t o = 0; o < table->outputs; o++)
             fprintf(out, "%d%c", table->cell[o][cell], o + 1 == table->outputs ? '\n' : ',');
+    }
+}
+
+void csv_write_changes(FILE *out, const struct table *table)
+{
+    size_t at[TABLE_INPUTS_MAX];
+
+    for (size_t i = 0; i < table->inputs; i++)
+        fprintf(out, "cell%zu,", i + 1);
+    for (size_t i = 0; i < table->inputs; i++) {
+        put_csv_name(out, table->fis->input[i].name);
+        putc(',', out);
+    }
+    fprintf(out, "output,surface,before,after\n");
+    for (size_t o = 0; o < table->outputs; o++) {
+        for (size_t cell = 0; cell < table->cells; cell++) {
+            double surface = table->surface[o][cell];
+
+            if (table_round(surface) == table->cell[o][cell])
+                continue;
+            table_coordinates(table, cell, at);
+            for (size_t i = 0; i < table->inputs; i++)
+                fprintf(out, "%zu,", at[i]);
+            for (size_t i = 0; i < table->inputs; i++)
+                fprintf(out, "%.10g,", table_axis_value(table, i, at[i]));
+            put_csv_name(out, table->fis->output[o].name);
+            fprintf(out, ",%.10g,%d,%d\n", surface, table_round(surface), table->cell[o][cell]);
+        }
     }
 }

@@ -15,13 +15,20 @@ struct header_array {
     const uint8_t *byte;
 };
 
+/* #define LUT_SUFFIX value */
+struct header_macro {
+    const char *suffix;
+    size_t value;
+};
+
 struct header_options {
     const char *name; /* prefix of every symbol; macros in capitals. A C identifier. */
     bool packed;
     const char *repair; /* what the comment says of a repair; NULL: none */
     const struct header_array *array;
     size_t arrays;
-    const char *defines; /* further #define lines, for packed tables; NULL: none */
+    const struct header_macro *macro; /* what a packed table's look-up needs beside the bytes */
+    size_t macros;
 };
 
 /* Writes the header. Same input, same bytes: no date, no path. */
@@ -29,6 +36,10 @@ void header_write(FILE *out, const struct table *table, const struct header_opti
 
 /* Writes one line a cell: the inputs where it was sampled, then the integers. */
 void csv_write(FILE *out, const struct table *table);
+
+/* Writes one line a cell that differs from its rounded surface value: its coordinates, counted from
+ * 0, the inputs where it was sampled, the output, the surface and the integer before and after. */
+void csv_write_changes(FILE *out, const struct table *table);
 
 /* The reciprocal that turns an offset of 0..SPAN_MILLI into a cell of CELLS without a division:
  * cell = (offset * mul) >> (16 + shift). True if there is one that is exact at every offset, by

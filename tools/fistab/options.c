@@ -19,6 +19,13 @@ long option_integer(const char *text, long min, long max, const char *option,
     return number;
 }
 
+void option_law(const char *text, const char *option, struct law *law, struct argp_state *state)
+{
+    if (!law_parse(text, law))
+        argp_error(state, "%s=%s: give a sign and an input each, as in %s=-1,+2", option, text,
+                   option);
+}
+
 static error_t parse_infer(int key, char *argument, struct argp_state *state)
 {
     struct infer_options *options = state->input;
