@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -42,6 +43,8 @@ void diag_warning(const char *file, int line, const char *format, ...)
 int outfile_open(struct outfile *out, const char *path)
 {
     static const char suffix[] = ".XXXXXX";
+    struct stat there;
+    bool is_device = stat(path, &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
     int handle;
 
     out->stream = NULL;
@@ -51,11 +54,18 @@ int outfile_open(struct outfile *out, const char *path)
         outfile_abandon(out);
         return diag_error(path, 0, "out of memory");
     }
-    strcpy(out->temporary, path);
-    strcat(out->temporary, suffix);
-    handle = mkstemp(out->temporary);
-    if (handle >= 0)
-        out->stream = fdopen(handle, "w");
+    if (is_device) {
+        /* A rename would put a file in the place of /dev/null. */
+        free(out->temporary);
+        out->temporary = NULL;
+        out->stream = fopen(path, "w");
+    } else {
+        strcpy(out->temporary, path);
+        strcat(out->temporary, suffix);
+        handle = mkstemp(out->temporary);
+        if (handle >= 0)
+            out->stream = fdopen(handle, "w");
+    }
     if (out->stream == NULL) {
         int reason = errno;
         outfile_abandon(out);
@@ -70,12 +80,12 @@ int outfile_commit(struct outfile *out)
     mode_t mask = umask(0);
 
     umask(mask);
-    if (fchmod(fileno(out->stream), 0666 & ~mask) != 0)
+    if (out->temporary != NULL && fchmod(fileno(out->stream), 0666 & ~mask) != 0)
         failed = 1;
     if (fclose(out->stream) != 0)
         failed = 1;
     out->stream = NULL;
-    if (!failed && rename(out->temporary, out->path) != 0)
+    if (!failed && out->temporary != NULL && rename(out->temporary, out->path) != 0)
         failed = 1;
     if (failed)
         diag_error(out->path, 0, "cannot write: %s", strerror(errno));
