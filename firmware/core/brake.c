@@ -185,7 +185,7 @@ static bool repeats(uint16_t dist_mm)
 /* How many "no target" it takes to believe that this target is gone. */
 static uint8_t farewell(uint16_t dist_mm)
 {
-    if (closing_samples == 1 || dist_mm > FAR_MM) {
+    if (closing_samples == 1 || !has_target) {
         return 0;
     }
     return closing_samples == 2 || dist_mm > BRAKE_NEAR_MM ? 1 : BRAKE_LOST_READINGS;
@@ -249,14 +249,22 @@ static uint8_t judge_no_echo(uint8_t kind, uint8_t elapsed_cs)
     return BRAKE_FAULT_NONE;
 }
 
-/* The table's answer, 0 beyond its end. */
-static uint8_t look_up(uint16_t dist_mm)
+/* The table's answer. Nearer and faster cells are taken at once; further and slower ones only from
+ * BRAKE_SLACK_x cells on, so that a noisy sensor at a constant gap does not make the brake chatter. */
+static uint8_t look_up(uint16_t dist_mm, bool is_new)
 {
-    if (!has_target) {
-        return 0;
+    uint8_t row = row_of(dist_mm), col = col_of(&BRAKE_SPEED);
+
+    if (is_new || row <= brake.row) {
+        brake.row = row;
+    } else if ((uint8_t)(row - brake.row) > BRAKE_SLACK_ROWS) {
+        brake.row = (uint8_t)(row - BRAKE_SLACK_ROWS);
     }
-    brake.row = row_of(dist_mm);
-    brake.col = col_of(&BRAKE_SPEED);
+    if (is_new || col >= brake.col) {
+        brake.col = col;
+    } else if ((uint8_t)(brake.col - col) > BRAKE_SLACK_COLS) {
+        brake.col = (uint8_t)(col + BRAKE_SLACK_COLS);
+    }
     return lut_at(brake.row, brake.col);
 }
 
@@ -265,6 +273,7 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     bool is_echo = kind == RANGE_ECHO;
     uint8_t trouble = is_echo ? judge_echo(dist_mm, elapsed_cs) : judge_no_echo(kind, elapsed_cs);
     bool is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
+    bool had_target = has_target;
     uint8_t table_pct = 0;
 
     if (trouble != BRAKE_FAULT_NONE) {
@@ -277,14 +286,16 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     }
 
     silence_cs = 0;
-    has_target = is_echo && dist_mm <= FAR_MM;
+    has_target = is_echo && dist_mm <= (had_target ? FAR_MM + BRAKE_SLACK_FAR_MM : FAR_MM);
     if (is_echo) {
         lost_readings = farewell(dist_mm);
         unlatch(dist_mm);
     }
     if (!is_lasting) { /* then the table, or what holds it, cannot be trusted */
         warn(is_echo ? dist_mm : 65535U);
-        table_pct = look_up(dist_mm);
+        if (has_target) {
+            table_pct = look_up(dist_mm, !had_target);
+        }
     }
     if (is_lasting || (is_fault && ++good_readings < BRAKE_GOOD_READINGS)) {
         if (demand_pct < table_pct) {

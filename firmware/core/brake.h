@@ -14,12 +14,21 @@
 #include "closing.h"
 
 /* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth. The release of
- * STOP and the warning always ask the smooth one. */
+ * STOP and the warning always ask the smooth one. And how many cells further or slower the target
+ * must seem before the brake follows: for at most one step of more than 2 points a second at 2 cm of
+ * noise. */
 #if defined(ESTIMATOR_smooth)
-#define BRAKE_SPEED closing_smooth
+#define BRAKE_SPEED      closing_smooth
+#define BRAKE_SLACK_ROWS 1U
+#define BRAKE_SLACK_COLS 0U
 #else
-#define BRAKE_SPEED closing_difference
+#define BRAKE_SPEED      closing_difference
+#define BRAKE_SLACK_ROWS 2U
+#define BRAKE_SLACK_COLS 2U
 #endif
+
+/* A target that was within the table leaves it so far beyond its end. */
+#define BRAKE_SLACK_FAR_MM 80U
 
 /* The brake in FAULT, a board's choice: a car without a driver must come to rest. With 0 the driver
  * has the brake. */
@@ -34,7 +43,8 @@
 #define BRAKE_RELEASE_MMPS  200U
 #define BRAKE_OVERRIDE_CS   100U
 
-/* Silent so long, the controller is in FAULT until so many readings in a row were good. */
+/* Silent for more than 180 ms, three sensor periods, the controller is in FAULT until so many readings
+ * in a row were good. */
 #define BRAKE_SILENCE_CS    18U
 #define BRAKE_GOOD_READINGS 3U
 

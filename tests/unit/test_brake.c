@@ -1,0 +1,712 @@
+/* brake: the states, the latch, every kind of sensor trouble. Readings and ticks are arguments. */
+#include <stddef.h>
+#include "unity.h"
+#include "brake.h"
+#include "closing.h"
+#include "lut.h"
+#include "range.h"
+
+#define PERIOD_CS 6U
+
+static bool held; /* the override */
+static uint8_t before_pct;
+
+static void start(void)
+{
+    held = false;
+    brake_init(BRAKE_FAULT_NONE);
+}
+
+void setUp(void)
+{
+    start();
+}
+
+void tearDown(void)
+{
+}
+
+static void wait_cs(uint8_t time_cs)
+{
+    while (time_cs-- != 0) {
+        brake_tick(held);
+    }
+}
+
+static void measure(uint8_t kind, uint16_t dist_mm)
+{
+    wait_cs(PERIOD_CS);
+    before_pct = brake.brake_pct;
+    brake_step(kind, dist_mm, PERIOD_CS);
+}
+
+static void echo(uint16_t dist_mm)
+{
+    measure(RANGE_ECHO, dist_mm);
+}
+
+static void echoes(uint16_t dist_mm, uint8_t count)
+{
+    while (count-- != 0) {
+        echo(dist_mm);
+    }
+}
+
+static void approach(uint16_t from_mm, uint16_t to_mm, uint16_t step_mm)
+{
+    while (from_mm > to_mm) {
+        echo(from_mm);
+        from_mm -= step_mm;
+    }
+    echo(to_mm);
+}
+
+/* --- RELEASED and CONTROL --------------------------------------------------------------------- */
+
+static void test_starts_released(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    TEST_ASSERT_FALSE(brake.stop);
+    TEST_ASSERT_FALSE(brake.warn);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, brake.fault);
+}
+
+static void test_no_target_stays_released_for_ever(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 100; i++) {
+        measure(RANGE_NO_TARGET, 0);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+        TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    }
+}
+
+static void test_each_distance_gets_its_row_and_the_cell(void)
+{
+    uint16_t mm;
+
+    for (mm = 20; mm <= 6000; mm++) {
+        uint8_t row = mm <= 1000 ? 0 : mm < 5000 ? (uint8_t)((mm - 1000U) / 40U) : 99;
+        uint8_t state = mm <= 1000 ? BRAKE_STOP : mm <= 5000 ? BRAKE_CONTROL : BRAKE_RELEASED;
+        uint8_t pct = mm <= 1000 ? 100 : mm <= 5000 ? lut_at(row, 0) : 0;
+
+        brake_init(BRAKE_FAULT_NONE);
+        brake_step(RANGE_ECHO, mm, PERIOD_CS);
+        if (brake.state != state || brake.brake_pct != pct || brake.stop != (mm <= 1000) ||
+            (mm <= 5000 && brake.row != row)) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "wrong state, duty or row at this distance in mm");
+        }
+    }
+}
+
+/* 21 mm in 60 ms are 350 mm/s, one column. The closing speed's unit of 2 mm/s may cost a column's edge. */
+static void test_each_speed_gets_its_column(void)
+{
+    uint16_t step_mm;
+
+    for (step_mm = 0; step_mm <= 2150; step_mm++) {
+        uint16_t exact_mmps = (uint16_t)((uint32_t)step_mm * 50U / 3U);
+        uint8_t col = exact_mmps >= 35000U ? 99 : (uint8_t)(exact_mmps / 350U);
+
+        brake_init(BRAKE_FAULT_NONE);
+        brake_step(RANGE_ECHO, 5500, PERIOD_CS);
+        brake_step(RANGE_ECHO, (uint16_t)(5500U - step_mm), PERIOD_CS);
+        if (step_mm < 500) {
+            continue; /* beyond the table: no look-up */
+        }
+        if (brake.col != col && brake.col != (uint8_t)((exact_mmps - 2U) / 350U)) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(col, brake.col, "column");
+        }
+        TEST_ASSERT_EQUAL_UINT8(lut_at(brake.row, brake.col), brake.brake_pct);
+    }
+}
+
+static void test_opening_counts_as_no_closing(void)
+{
+    echo(2000);
+    echo(2100);
+    echo(2200);
+    TEST_ASSERT_TRUE(closing_difference.opening_mmps > 1600);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.col);
+}
+
+static void test_brake_never_falls_while_the_gap_shrinks(void)
+{
+    uint8_t step_mm;
+
+    for (step_mm = 30; step_mm <= 240; step_mm += 30) {
+        uint16_t mm;
+
+        start();
+        for (mm = 5000; mm > step_mm; mm -= step_mm) {
+            echo(mm);
+            if (brake.brake_pct + 5U < before_pct) { /* the raw table has dents of up to 5 points */
+                TEST_ASSERT_EQUAL_UINT8_MESSAGE(before_pct, brake.brake_pct, "brake fell");
+            }
+        }
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    }
+}
+
+static void test_noise_of_two_rows_and_columns_does_not_move_the_brake(void)
+{
+    uint8_t row, i;
+
+    echo(3000);
+    echo(3000);
+    row = brake.row;
+    for (i = 0; i < 20; i++) {
+        echo(3000);
+        echo(3025);
+        TEST_ASSERT_EQUAL_UINT8(row, brake.row);
+        TEST_ASSERT_TRUE(brake.col <= 2);
+    }
+    echoes(3130, 4);
+    TEST_ASSERT_EQUAL_UINT8((3130 - 1000) / 40 - BRAKE_SLACK_ROWS, brake.row);
+}
+
+static void test_target_that_hovers_at_the_far_end_is_kept(void)
+{
+    echo(4990);
+    echo(4990);
+    echo(5000 + BRAKE_SLACK_FAR_MM);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    echo(5001 + BRAKE_SLACK_FAR_MM);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    echo(5001);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+}
+
+/* --- STOP ------------------------------------------------------------------------------------- */
+
+static void test_first_reading_at_one_metre_stops_at_once(void)
+{
+    echo(1001);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    start();
+    TEST_ASSERT_TRUE(brake_must_stop(1000));
+    TEST_ASSERT_FALSE(brake_must_stop(1001));
+    echo(1000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+    TEST_ASSERT_TRUE(brake.stop);
+}
+
+static void test_stop_holds_at_a_noisy_metre(void)
+{
+    static const uint16_t __code noisy_mm[] = {1000, 1012, 996, 1024, 1008, 990, 1019, 1003};
+    uint8_t i;
+
+    for (i = 0; i < 200; i++) {
+        echo(noisy_mm[i & 7]);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    }
+}
+
+static void stop_at_900(void)
+{
+    approach(1400, 900, 25);
+    echoes(900, 10);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+}
+
+static void test_stop_lets_go_of_a_target_that_drives_off(void)
+{
+    uint16_t mm;
+
+    stop_at_900();
+    for (mm = 920; mm <= 1300; mm += 20) { /* 0.33 m/s */
+        echo(mm);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    }
+    echo(1320);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    echo(1340);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    TEST_ASSERT_FALSE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(lut_at(brake.row, brake.col), brake.brake_pct);
+}
+
+static void test_stop_holds_a_target_that_opens_too_slowly(void)
+{
+    uint16_t mm;
+
+    stop_at_900();
+    for (mm = 900; mm <= 2000; mm += 11) { /* 0.18 m/s */
+        echo(mm);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    }
+}
+
+static void test_two_opening_readings_must_follow_each_other(void)
+{
+    uint16_t mm;
+
+    stop_at_900();
+    for (mm = 920; mm <= 1300; mm += 20) {
+        echo(mm);
+    }
+    echo(1320);
+    echoes(1300, 6); /* the first of two, but then it stands again */
+    echo(1302);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+}
+
+static void test_override_held_a_second_lets_go_and_no_sooner(void)
+{
+    stop_at_900();
+    held = true;
+    wait_cs(BRAKE_OVERRIDE_CS - 7U);
+    brake_step(RANGE_ECHO, 901, PERIOD_CS); /* keeps the silence short */
+    wait_cs(6);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+    brake_step(RANGE_ECHO, 902, PERIOD_CS);
+    wait_cs(1);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    TEST_ASSERT_FALSE(brake.stop);
+    TEST_ASSERT_FALSE(brake_must_stop(500));
+}
+
+static void test_override_works_only_while_held(void)
+{
+    uint8_t i;
+
+    stop_at_900();
+    held = true;
+    for (i = 0; i < 20; i++) {
+        echo((uint16_t)(900 + i));
+    }
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+
+    held = false;
+    echo(920);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    TEST_ASSERT_TRUE(brake.stop);
+}
+
+static void test_a_short_press_changes_nothing(void)
+{
+    uint8_t i;
+
+    stop_at_900();
+    for (i = 0; i < 10; i++) {
+        held = true;
+        wait_cs(9);
+        held = false;
+        echo((uint16_t)(901 + i));
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    }
+}
+
+/* --- one wild reading ------------------------------------------------------------------------- */
+
+static void test_glitch_on_a_clear_road_stops_for_one_period(void)
+{
+    measure(RANGE_NO_TARGET, 0);
+    echo(500);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
+static void test_glitch_below_a_tracked_target_stops_for_one_period(void)
+{
+    uint8_t pct;
+
+    echoes(3000, 5);
+    pct = brake.brake_pct;
+    echo(400);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, brake.fault);
+    echo(3000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(pct, brake.brake_pct);
+}
+
+static void test_glitch_before_the_first_echo_is_dropped_after_two_readings(void)
+{
+    echo(400);
+    echo(4000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+    echo(4000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+}
+
+static void test_glitch_away_from_a_braked_target_moves_nothing(void)
+{
+    uint8_t pct;
+
+    approach(4000, 2500, 100);
+    pct = brake.brake_pct;
+    echo(5900);
+    TEST_ASSERT_EQUAL_UINT8(pct, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    echo(2300);
+    TEST_ASSERT_TRUE(brake.brake_pct >= pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, brake.fault);
+}
+
+static void test_a_second_reading_within_the_metre_makes_stop_sure(void)
+{
+    echo(900);
+    echo(890);
+    measure(RANGE_NO_TARGET, 0);
+    measure(RANGE_NO_TARGET, 0);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+}
+
+static void test_a_tracked_approach_makes_stop_sure_at_once(void)
+{
+    approach(2000, 950, 150);
+    measure(RANGE_NO_TARGET, 0);
+    measure(RANGE_NO_TARGET, 0);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_TRUE(brake.stop);
+}
+
+/* --- sensor trouble --------------------------------------------------------------------------- */
+
+static const uint8_t __code missing_kinds[] = {RANGE_NOT_RISEN, RANGE_NOT_FALLEN, RANGE_DEAD_ZONE, RANGE_NO_TARGET};
+static const uint8_t __code missing_faults[] = {BRAKE_FAULT_NOT_RISEN, BRAKE_FAULT_NOT_FALLEN, BRAKE_FAULT_DEAD_ZONE,
+                                                BRAKE_FAULT_LOST};
+
+static void test_a_missing_reading_never_lowers_the_brake(void)
+{
+    uint8_t kind, i, pct;
+    uint16_t mm;
+
+    for (kind = 0; kind < 4; kind++) {
+        for (mm = 1100; mm <= 3900; mm += 400) {
+            start();
+            echoes(mm, 4);
+            pct = brake.brake_pct;
+            for (i = 0; i < 15; i++) {
+                measure(missing_kinds[kind], 0);
+                if (brake.brake_pct < pct) {
+                    TEST_ASSERT_EQUAL_UINT16_MESSAGE(pct, mm, "brake fell at this distance in mm");
+                }
+                TEST_ASSERT_EQUAL_UINT8(missing_faults[kind], brake.fault);
+            }
+            TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+        }
+    }
+}
+
+static void test_fault_comes_between_180_and_190_ms_of_silence(void)
+{
+    uint8_t kind;
+
+    for (kind = 0; kind < 3; kind++) {
+        start();
+        measure(RANGE_NO_TARGET, 0);
+        measure(missing_kinds[kind], 0);
+        measure(missing_kinds[kind], 0);
+        wait_cs(6);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+        TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+        wait_cs(1);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+        TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+    }
+}
+
+static void test_two_missing_readings_are_no_fault(void)
+{
+    echoes(4500, 3);
+    measure(RANGE_NOT_RISEN, 0);
+    measure(RANGE_NOT_RISEN, 0);
+    echo(4500);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, brake.fault);
+}
+
+static void test_fault_never_lowers_a_higher_brake(void)
+{
+    uint8_t pct;
+
+    echoes(1500, 4);
+    pct = brake.brake_pct;
+    TEST_ASSERT_TRUE(pct > FAULT_PCT);
+    wait_cs(40);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(pct, brake.brake_pct);
+}
+
+static void test_fault_keeps_a_stop(void)
+{
+    stop_at_900();
+    wait_cs(40);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+    TEST_ASSERT_TRUE(brake.stop);
+    echo(1100);
+    echo(1101);
+    echo(1100);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+}
+
+static void test_stop_works_in_fault(void)
+{
+    wait_cs(40);
+    TEST_ASSERT_FALSE(brake.stop);
+    echo(900);
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+}
+
+static void test_three_good_readings_in_a_row_leave_fault(void)
+{
+    wait_cs(40);
+    echo(4500);
+    echo(4490);
+    measure(RANGE_NOT_RISEN, 0);
+    echo(4480);
+    echo(4470);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+    echo(4460);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(lut_at(brake.row, brake.col), brake.brake_pct);
+}
+
+static void test_a_clear_road_leaves_fault_too(void)
+{
+    wait_cs(40);
+    measure(RANGE_NO_TARGET, 0);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+}
+
+static void test_a_vanished_near_target_is_gone_after_1200_ms(void)
+{
+    uint8_t i;
+
+    echoes(2000, 5);
+    for (i = 0; i < BRAKE_LOST_READINGS + 2U; i++) {
+        measure(RANGE_NO_TARGET, 0);
+        TEST_ASSERT_TRUE(brake.brake_pct >= FAULT_PCT);
+    }
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+}
+
+static void test_a_far_target_may_leave_after_one_doubt(void)
+{
+    echoes(4500, 5);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+}
+
+static void test_readings_that_jump_about_are_a_fault(void)
+{
+    static const uint16_t __code wild_mm[] = {1500, 5000, 2300, 4300};
+    uint8_t i;
+
+    echoes(3300, 4);
+    for (i = 0; i < 4; i++) {
+        echo(wild_mm[i]);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, brake.fault);
+        TEST_ASSERT_TRUE(brake.brake_pct >= before_pct);
+    }
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+}
+
+static void test_the_same_reading_while_closing_is_stuck(void)
+{
+    uint8_t pct, i;
+
+    approach(4000, 3000, 100);
+    pct = brake.brake_pct;
+    for (i = 0; i < 4; i++) {
+        echo(3000);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, brake.fault);
+        TEST_ASSERT_TRUE(brake.brake_pct >= pct);
+    }
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    echo(3001);
+    echo(3000);
+    echo(3000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+}
+
+static void test_the_same_reading_at_rest_is_fine(void)
+{
+    uint8_t i;
+
+    approach(3000, 2000, 40); /* 0.67 m/s: 10 m/s2 stop that between two readings */
+    for (i = 0; i < 50; i++) {
+        echo(2000);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, brake.fault);
+    }
+}
+
+static void test_a_driver_can_leave_a_fault(void)
+{
+    wait_cs(40);
+    held = true;
+    wait_cs(BRAKE_OVERRIDE_CS);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    held = false;
+    wait_cs(1);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+}
+
+/* --- starts that are not clean ---------------------------------------------------------------- */
+
+static void test_a_watchdog_reset_starts_braking_and_ends_with_three_good_readings(void)
+{
+    brake_init(BRAKE_FAULT_WATCHDOG);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_WATCHDOG, brake.fault);
+    measure(RANGE_NO_TARGET, 0);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+}
+
+static void test_a_failed_self_test_lasts_but_still_stops(void)
+{
+    uint8_t fault, i;
+
+    for (fault = BRAKE_FAULT_TABLE; fault <= BRAKE_FAULT_IDLE; fault++) {
+        start();
+        brake_init(fault);
+        for (i = 0; i < 10; i++) {
+            echo((uint16_t)(3000 - i));
+            TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+            TEST_ASSERT_EQUAL_UINT8(fault, brake.fault);
+            TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+        }
+        measure(RANGE_NOT_RISEN, 0);
+        TEST_ASSERT_EQUAL_UINT8(fault, brake.fault);
+        echo(900);
+        TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+        TEST_ASSERT_TRUE(brake.stop);
+    }
+}
+
+static void test_a_fault_found_on_the_way_lasts(void)
+{
+    echoes(3000, 4);
+    brake_fail(BRAKE_FAULT_STACK);
+    brake_fail(BRAKE_FAULT_RAM);
+    echoes(3000, 10);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STACK, brake.fault);
+}
+
+/* --- warning ---------------------------------------------------------------------------------- */
+
+/* The first reading, at each speed, from which the table itself brakes hard. */
+static void test_warning_comes_800_ms_before_hard_braking(void)
+{
+    uint16_t step_mm;
+
+    for (step_mm = 30; step_mm <= 90; step_mm += 6) { /* 0.5 to 1.5 m/s, sure to be seen early enough */
+        uint16_t mm = 5900;
+        uint8_t ahead = 0;
+
+        start();
+        while (brake.brake_pct < BRAKE_WARN_PCT) {
+            ahead = brake.warn ? (uint8_t)(ahead + 1) : 0;
+            echo(mm);
+            mm -= step_mm;
+        }
+        if (ahead * 60U < 800U) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(step_mm, ahead * 60U, "too late, ms, at this step in mm");
+        }
+        TEST_ASSERT_TRUE(brake.warn);
+    }
+}
+
+static void test_no_warning_while_nothing_closes(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 50; i++) {
+        echo(1500);
+        TEST_ASSERT_FALSE(brake.warn);
+    }
+    for (i = 0; i < 50; i++) {
+        echo((uint16_t)(1500 + 20 * i));
+        TEST_ASSERT_FALSE(brake.warn);
+    }
+}
+
+static void test_warning_ends_half_a_second_after_its_reason(void)
+{
+    uint8_t i = 0;
+
+    approach(4500, 2000, 100);
+    TEST_ASSERT_TRUE(brake.warn);
+    while (brake.warn && i < 50) {
+        echo((uint16_t)(2000 + (i & 1)));
+        i++;
+    }
+    TEST_ASSERT_TRUE(i >= BRAKE_CALM_READINGS);
+    TEST_ASSERT_TRUE(i < 25);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_starts_released);
+    RUN_TEST(test_no_target_stays_released_for_ever);
+    RUN_TEST(test_each_distance_gets_its_row_and_the_cell);
+    RUN_TEST(test_each_speed_gets_its_column);
+    RUN_TEST(test_opening_counts_as_no_closing);
+    RUN_TEST(test_brake_never_falls_while_the_gap_shrinks);
+    RUN_TEST(test_noise_of_two_rows_and_columns_does_not_move_the_brake);
+    RUN_TEST(test_target_that_hovers_at_the_far_end_is_kept);
+    RUN_TEST(test_first_reading_at_one_metre_stops_at_once);
+    RUN_TEST(test_stop_holds_at_a_noisy_metre);
+    RUN_TEST(test_stop_lets_go_of_a_target_that_drives_off);
+    RUN_TEST(test_stop_holds_a_target_that_opens_too_slowly);
+    RUN_TEST(test_two_opening_readings_must_follow_each_other);
+    RUN_TEST(test_override_held_a_second_lets_go_and_no_sooner);
+    RUN_TEST(test_override_works_only_while_held);
+    RUN_TEST(test_a_short_press_changes_nothing);
+    RUN_TEST(test_glitch_on_a_clear_road_stops_for_one_period);
+    RUN_TEST(test_glitch_below_a_tracked_target_stops_for_one_period);
+    RUN_TEST(test_glitch_before_the_first_echo_is_dropped_after_two_readings);
+    RUN_TEST(test_glitch_away_from_a_braked_target_moves_nothing);
+    RUN_TEST(test_a_second_reading_within_the_metre_makes_stop_sure);
+    RUN_TEST(test_a_tracked_approach_makes_stop_sure_at_once);
+    RUN_TEST(test_a_missing_reading_never_lowers_the_brake);
+    RUN_TEST(test_fault_comes_between_180_and_190_ms_of_silence);
+    RUN_TEST(test_two_missing_readings_are_no_fault);
+    RUN_TEST(test_fault_never_lowers_a_higher_brake);
+    RUN_TEST(test_fault_keeps_a_stop);
+    RUN_TEST(test_stop_works_in_fault);
+    RUN_TEST(test_three_good_readings_in_a_row_leave_fault);
+    RUN_TEST(test_a_clear_road_leaves_fault_too);
+    RUN_TEST(test_a_vanished_near_target_is_gone_after_1200_ms);
+    RUN_TEST(test_a_far_target_may_leave_after_one_doubt);
+    RUN_TEST(test_readings_that_jump_about_are_a_fault);
+    RUN_TEST(test_the_same_reading_while_closing_is_stuck);
+    RUN_TEST(test_the_same_reading_at_rest_is_fine);
+    RUN_TEST(test_a_driver_can_leave_a_fault);
+    RUN_TEST(test_a_watchdog_reset_starts_braking_and_ends_with_three_good_readings);
+    RUN_TEST(test_a_failed_self_test_lasts_but_still_stops);
+    RUN_TEST(test_a_fault_found_on_the_way_lasts);
+    RUN_TEST(test_warning_comes_800_ms_before_hard_braking);
+    RUN_TEST(test_no_warning_while_nothing_closes);
+    RUN_TEST(test_warning_ends_half_a_second_after_its_reason);
+    return UNITY_END();
+}
