@@ -73,6 +73,8 @@ build/boards.h: $(wildcard firmware/boards/*.mk)
 	            value["PIN_ECHO"], value["PIN_OVERRIDE"] }' $$board; \
 	done >$@.part; mv $@.part $@
 
+SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
+
 # --- firmware: one board in this make, or one make a board ------------------------------------
 ifeq ($(BOARD),)
 .PHONY: $(BOARDS:%=firmware-%)
@@ -90,7 +92,6 @@ brake_TABLE := $(TABLE)
 FRAME_CORE  := $(addprefix firmware/core/,frame link)
 brake_CORE  := $(filter-out $(FRAME_CORE),$(basename $(wildcard firmware/core/*.c)))
 
-SDCC       := sdcc -mmcs51 --std-c11 --model-small --Werror
 SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
     $(foreach pin,PWM STOP TRIGGER LAMP BUZZER ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
@@ -175,10 +176,36 @@ build/chip/core.lib: $(CORE_SRC:%.c=build/chip/%.rel)
 $(CHIP_TESTS): build/chip/%.ihx: $(addprefix build/chip/,tests/unit/%.rel tests/unit/chip.rel $(UNITY)/unity.rel core.lib)
 	$(Q)$(SDCC_UNIT) $^ -o $@
 
+# The look-up on the chip: an image a table, compiled as it ships.
+LUT_plain           := tables/brake.fis
+LUT_plain-repaired  := tables/brake.fis --repair=-1,+2
+LUT_packed          := tables/brake.fis --encoding=packed
+LUT_packed-repaired := tables/brake.fis --encoding=packed --repair=-1,+2
+# Other paths of lut.c: one input, 256 cells along either, no rows alike at the start, many blocks.
+LUT_plain-one-input := tests/lut/one_input.fis
+LUT_plain-256       := tables/brake.fis --grid=40x256
+LUT_packed-256      := tables/brake.fis --encoding=packed --grid=256x40
+LUT_packed-gap      := tables/gap.fis --encoding=packed
+LUT_packed-wide     := tables/gap.fis --encoding=packed --levels=200
+LUT_CASES := plain packed plain-repaired packed-repaired plain-one-input plain-256 packed-256 packed-gap packed-wide
+LUT_IMAGES := $(LUT_CASES:%=build/lut/%/all_cells.ihx)
+define lut_rules
+build/lut/$(1)/lut_table.h: $(firstword $(LUT_$(1))) build/fistab
+	@mkdir -p $$(@D)
+	$$(Q)build/fistab table $(LUT_$(1)) --name=lut --csv=$$(@D)/cells.csv -o $$@ 2>$$(@D)/fistab.log || \
+	    { cat $$(@D)/fistab.log >&2; false; }
+build/lut/$(1)/%.rel: %.c build/lut/$(1)/lut_table.h
+	@mkdir -p $$(@D)
+	$$(Q)$(SDCC) -Ifirmware/core -Ibuild/lut/$(1) -MMD -c $$< -o $$@
+build/lut/$(1)/all_cells.ihx: build/lut/$(1)/tests/lut/all_cells.rel build/lut/$(1)/firmware/core/lut.rel
+	$$(Q)$(SDCC) $$^ -o $$@
+endef
+$(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
+
 TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%=tests/run_chip.sh %)
 
 .PHONY: run-test
-run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS)
+run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(foreach suite,$(TEST_SUITES),'$(suite)')
 
 # --- targets that install what they need first -------------------------------------------------
@@ -186,4 +213,4 @@ demo test:
 	@tools/deps.sh $@
 	@$(MAKE) run-$@
 
--include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d build/unit/*/*/*.d build/chip/*/*/*.d)
+-include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d build/unit/*/*/*.d build/chip/*/*/*.d build/lut/*/*/*/*.d)
