@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
 #include "command.h"
 #include "diag.h"
 #include "encode.h"
@@ -11,20 +12,10 @@
 #include "repair.h"
 #include "table.h"
 
-enum {
-    KEY_NAME = 0x200,
-    KEY_GRID,
-    KEY_NODES,
-    KEY_LEVELS,
-    KEY_CSV,
-    KEY_ENCODING,
-    KEY_REPAIR,
-    KEY_CHANGES
-};
+enum { KEY_NAME = 0x200, KEY_CSV, KEY_ENCODING, KEY_REPAIR, KEY_CHANGES };
 
 struct arguments {
-    struct table_options table;
-    size_t grid_inputs; /* how many numbers --grid has; 0: not given */
+    struct grid_options grid;
     const char *file;
     const char *name;
     const char *header_path;
@@ -40,12 +31,6 @@ static const struct argp_option options[] = {
     {"csv", KEY_CSV, "FILE", 0, "Write the same numbers to FILE, one line a cell", 0},
     {"name", KEY_NAME, "NAME", 0,
      "Prefix of the header's symbols; the name of FILE.fis if not given", 0},
-    {"grid", KEY_GRID, "RxC...", 0,
-     "Cells along each input; 100, 100x100, 20x20x20 or 10x10x10x10 if not given", 0},
-    {"nodes", KEY_NODES, NULL, 0,
-     "Sample from end to end, for tables that the firmware interpolates", 0},
-    {"levels", KEY_LEVELS, "N", 0,
-     "What the high end of an output's range becomes, 1..255; 100 if not given", 0},
     {"encoding", KEY_ENCODING, "plain|packed", 0,
      "How the header stores the table; packed is small, for two inputs and one output", 0},
     {"repair", KEY_REPAIR, "SPEC", 0,
@@ -54,22 +39,6 @@ static const struct argp_option options[] = {
      "Write the cells that --repair changed to FILE, one line a cell", 0},
     {0},
 };
-
-static void parse_grid(struct arguments *a, const char *text, struct argp_state *state)
-{
-    const char *at = text;
-    char *end;
-
-    for (a->grid_inputs = 0;; at = end + 1) {
-        long dim = strtol(at, &end, 10);
-        if (end == at || dim < 1 || dim > TABLE_CELLS_MAX || (*end != 'x' && *end != '\0') ||
-            a->grid_inputs == TABLE_INPUTS_MAX)
-            argp_error(state, "--grid=%s: give one number an input, as in --grid=100x100", text);
-        a->table.dims[a->grid_inputs++] = (size_t)dim;
-        if (*end == '\0')
-            return;
-    }
-}
 
 static bool is_identifier(const char *name)
 {
@@ -89,7 +58,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = &a->table.infer;
+        state->child_inputs[0] = &a->grid;
         return 0;
     case 'o':
         a->header_path = argument;
@@ -101,15 +70,6 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         if (!is_identifier(argument))
             argp_error(state, "--name=%s: give a C identifier of at most 40 characters", argument);
         a->name = argument;
-        return 0;
-    case KEY_GRID:
-        parse_grid(a, argument, state);
-        return 0;
-    case KEY_NODES:
-        a->table.nodes = true;
-        return 0;
-    case KEY_LEVELS:
-        a->table.levels = (int)option_integer(argument, 1, 255, "--levels", state);
         return 0;
     case KEY_ENCODING:
         a->packed = strcmp(argument, "packed") == 0;
@@ -139,7 +99,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
+static const struct argp_child children[] = {{&grid_argp, 0, NULL, 0}, {0}};
 static const struct argp argp = {
     options,    parse,
     "FILE.fis", "Samples FILE.fis on a grid and writes the table as a C header or as CSV.",
@@ -230,7 +190,8 @@ static int write_files(const struct arguments *a, const struct table *table, con
 
 int cmd_table(int argc, char **argv)
 {
-    struct arguments a = {.table = {.infer = {.samples = INFER_SAMPLES}, .levels = 100}};
+    struct arguments a = {.grid = GRID_OPTIONS_DEFAULT};
+    struct findings findings = {0, 0};
     char repaired[400];
     struct table table;
     struct fis fis;
@@ -240,15 +201,15 @@ int cmd_table(int argc, char **argv)
     status = fis_read(a.file, &fis);
     if (status != EXIT_FINE)
         return status;
-    if (a.grid_inputs != 0 && a.grid_inputs != fis.inputs) {
-        diag_error(a.file, 0, "--grid has %zu numbers, but the system has %zu inputs",
-                   a.grid_inputs, fis.inputs);
-        status = EXIT_USAGE;
-    }
+    status = grid_check(&a.grid, &fis);
     if (status == EXIT_FINE)
         status = law_check(&a.law, &fis, "--repair");
+    if (status == EXIT_FINE) {
+        check_fis(&fis, &findings);
+        status = findings.errors > 0 ? EXIT_INPUT : EXIT_FINE;
+    }
     if (status == EXIT_FINE)
-        status = table_make(&fis, &a.table, &table);
+        status = table_make(&fis, &a.grid.table, &table);
     if (status == EXIT_FINE) {
         if (a.law.text != NULL)
             status = repair(&a, &table, repaired, sizeof repaired);

@@ -6,14 +6,31 @@
 
 #include "infer.h"
 #include "law.h"
+#include "table.h"
 
 /* Each gets its own name as argv[0], the rest of the command line after it, and returns an exit
  * status. */
 int cmd_eval(int argc, char **argv);
+int cmd_check(int argc, char **argv);
 int cmd_table(int argc, char **argv);
 
 /* --samples=N and --exact; a child parser whose input is a struct infer_options. */
 extern const struct argp infer_argp;
+
+/* --grid, --nodes, --levels and those of infer_argp; a child parser whose input is a struct
+ * grid_options. */
+struct grid_options {
+    struct table_options table;
+    size_t inputs; /* how many numbers --grid has; 0: not given */
+};
+#define GRID_OPTIONS_DEFAULT                                                                       \
+    {                                                                                              \
+        .table = {.infer = {.samples = INFER_SAMPLES}, .levels = 100 }                             \
+    }
+extern const struct argp grid_argp;
+
+/* Does --grid have a number for each input of FIS? EXIT_FINE, or EXIT_USAGE after a message. */
+int grid_check(const struct grid_options *options, const struct fis *fis);
 
 /* A whole number of MIN..MAX, or a usage message about OPTION and exit. */
 long option_integer(const char *text, long min, long max, const char *option,

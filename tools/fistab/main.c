@@ -11,6 +11,7 @@ static const struct {
     const char *help;
 } command[] = {
     {"eval", cmd_eval, "outputs of a system at points"},
+    {"check", cmd_check, "what is wrong with a system"},
     {"table", cmd_table, "a system as a C header, or as CSV"},
 };
 enum { COMMANDS = sizeof command / sizeof command[0] };

@@ -3,8 +3,9 @@
 #include <stdlib.h>
 
 #include "command.h"
+#include "diag.h"
 
-enum { KEY_SAMPLES = 0x100, KEY_EXACT };
+enum { KEY_SAMPLES = 0x100, KEY_EXACT, KEY_GRID, KEY_NODES, KEY_LEVELS };
 
 long option_integer(const char *text, long min, long max, const char *option,
                     struct argp_state *state)
@@ -52,3 +53,64 @@ static const struct argp_option infer_option[] = {
 };
 
 const struct argp infer_argp = {infer_option, parse_infer, NULL, NULL, NULL, NULL, NULL};
+
+static void parse_grid_text(struct grid_options *options, const char *text,
+                            struct argp_state *state)
+{
+    const char *at = text;
+    char *end;
+
+    for (options->inputs = 0;; at = end + 1) {
+        long dim = strtol(at, &end, 10);
+        if (end == at || dim < 1 || dim > TABLE_CELLS_MAX || (*end != 'x' && *end != '\0') ||
+            options->inputs == TABLE_INPUTS_MAX)
+            argp_error(state, "--grid=%s: give one number an input, as in --grid=100x100", text);
+        options->table.dims[options->inputs++] = (size_t)dim;
+        if (*end == '\0')
+            return;
+    }
+}
+
+static error_t parse_grid(int key, char *argument, struct argp_state *state)
+{
+    struct grid_options *options = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &options->table.infer;
+        return 0;
+    case KEY_GRID:
+        parse_grid_text(options, argument, state);
+        return 0;
+    case KEY_NODES:
+        options->table.nodes = true;
+        return 0;
+    case KEY_LEVELS:
+        options->table.levels = (int)option_integer(argument, 1, 255, "--levels", state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_option grid_option[] = {
+    {"grid", KEY_GRID, "RxC...", 0,
+     "Cells along each input; 100, 100x100, 20x20x20 or 10x10x10x10 if not given", 1},
+    {"nodes", KEY_NODES, NULL, 0,
+     "Sample from end to end, for tables that the firmware interpolates", 1},
+    {"levels", KEY_LEVELS, "N", 0,
+     "What the high end of an output's range becomes, 1..255; 100 if not given", 1},
+    {0},
+};
+
+static const struct argp_child grid_children[] = {{&infer_argp, 0, NULL, 0}, {0}};
+const struct argp grid_argp = {grid_option, parse_grid, NULL, NULL, grid_children, NULL, NULL};
+
+int grid_check(const struct grid_options *options, const struct fis *fis)
+{
+    if (options->inputs == 0 || options->inputs == fis->inputs)
+        return EXIT_FINE;
+    diag_error(fis->file, 0, "--grid has %zu numbers, but the system has %zu inputs",
+               options->inputs, fis->inputs);
+    return EXIT_USAGE;
+}

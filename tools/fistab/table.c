@@ -69,14 +69,16 @@ static int sample_cell(struct table *table, struct engine *engine, size_t cell)
         double levels = (y[o] - output->min) / (output->max - output->min) * table->options.levels;
 
         if (!engine_fired(engine, o))
-            return diag_error(fis->file, 0,
-                              "no rule for '%s' fires at %s; a table has no holes, add a rule",
-                              output->name, point_text(fis, x, buffer, sizeof buffer));
+            return diag_error(
+                fis->file, 0,
+                "(rule_gap) no rule for '%s' fires at %s; a table has no holes, add a rule",
+                output->name, point_text(fis, x, buffer, sizeof buffer));
         if (levels < -1e-9 || levels > table->options.levels + 1e-9)
-            return diag_error(fis->file, 0,
-                              "'%s' is %.6g at %s, outside its range of %g to %g; widen the range",
-                              output->name, y[o], point_text(fis, x, buffer, sizeof buffer),
-                              output->min, output->max);
+            return diag_error(
+                fis->file, 0,
+                "(output_range) '%s' is %.6g at %s, outside its range of %g to %g; widen the range",
+                output->name, y[o], point_text(fis, x, buffer, sizeof buffer), output->min,
+                output->max);
         table->surface[o][cell] = fmin(fmax(levels, 0), table->options.levels);
         table->cell[o][cell] = table_round(table->surface[o][cell]);
     }
