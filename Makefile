@@ -73,6 +73,21 @@ build/boards.h: $(wildcard firmware/boards/*.mk)
 	            value["PIN_ECHO"], value["PIN_OVERRIDE"] }' $$board; \
 	done >$@.part; mv $@.part $@
 
+# --- controllers ------------------------------------------------------------------------------
+# Of each: its table, how fistab makes that (not said: as the board encodes it), its modules of core
+# and of mcu.
+brake_TABLE := $(TABLE)
+brake_CORE  := brake closing fixed lamp lut range selftest telemetry
+brake_MCU   := start pwm echo uart
+
+radar_TABLE := tables/radar.fis
+radar_GRID  := --grid=13x13 --samples=7 --levels=240 --half-down
+radar_CORE  := radar fmcw lane safe
+
+park_TABLE  := tables/park.fis
+park_GRID   := --grid=256 --levels=255
+park_CORE   := park cordic
+
 SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
 
 # --- firmware: one board in this make, or one make a board ------------------------------------
@@ -85,13 +100,6 @@ else
 include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
-# Modules of each app; main comes first in the link, as SDCC's manual asks.
-MCU_MODULES := $(basename $(wildcard firmware/mcu/*.c))
-brake_TABLE := $(TABLE)
-# Of firmware/core, what only the controllers that live on frames need.
-FRAME_CORE  := $(addprefix firmware/core/,frame link)
-brake_CORE  := $(filter-out $(FRAME_CORE),$(basename $(wildcard firmware/core/*.c)))
-
 SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
     $(foreach pin,PWM STOP TRIGGER LAMP BUZZER ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
@@ -103,11 +111,11 @@ firmware: $(APPS:%=$(OUT)/%.hex)
 define app_rules
 $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	@mkdir -p $$(@D)
-	$$(Q)build/fistab table $$< --name=lut --encoding=$(ENCODING) -o $$@
+	$$(Q)build/fistab table $$< --name=lut $(or $($(1)_GRID),--encoding=$(ENCODING)) -o $$@
 $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
-$(OUT)/$(1).ihx: $$(patsubst firmware/%,$(OUT)/$(1)/%.rel,firmware/apps/$(1) $$(MCU_MODULES) $$($(1)_CORE))
+$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,apps/$(1) $$($(1)_MCU:%=mcu/%) $$($(1)_CORE:%=core/%))
 	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
 	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
 endef
@@ -149,7 +157,9 @@ $(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %
 UNIT_TESTS := $(patsubst tests/%.c,build/%,$(wildcard tests/unit/test_*.c))
 CHIP_TESTS := $(UNIT_TESTS:build/unit/%=build/chip/%.ihx)
 UNIT_FLAGS := -DCLK_HZ=12000000UL -I$(UNITY) -Ifirmware/core -Ibuild/unit
-CORE_SRC   := $(wildcard firmware/core/*.c)
+# The test of a controller whose #error wants its own table takes it, and lut.c, in as source.
+UNIT_TABLES := radar park
+CORE_SRC   := $(filter-out $(UNIT_TABLES:%=firmware/core/%.c),$(wildcard firmware/core/*.c))
 SDCC_UNIT  := sdcc -mmcs51 --std-c11 --model-large --stack-auto
 CHIP_FLAGS := -DUNITY_INT_WIDTH=16 -DUNITY_LONG_WIDTH=32 -DUNITY_POINTER_WIDTH=16 \
     $(patsubst %,-DUNITY_EXCLUDE_%,FLOAT DOUBLE SETJMP_H MATH_H) \
@@ -159,6 +169,14 @@ CHIP_FLAGS := -DUNITY_INT_WIDTH=16 -DUNITY_LONG_WIDTH=32 -DUNITY_POINTER_WIDTH=1
 build/unit/lut_table.h: $(TABLE) build/fistab
 	@mkdir -p $(@D)
 	$(Q)build/fistab table $< --name=lut -o $@
+define unit_table
+build/unit/$(1)/lut_table.h: $($(1)_TABLE) build/fistab
+	@mkdir -p $$(@D)
+	$$(Q)build/fistab table $$< --name=lut $($(1)_GRID) -o $$@
+build/unit/tests/unit/test_$(1).o build/chip/tests/unit/test_$(1).rel: build/unit/$(1)/lut_table.h
+build/unit/tests/unit/test_$(1).o build/chip/tests/unit/test_$(1).rel: UNIT_FLAGS := -Ibuild/unit/$(1) $(UNIT_FLAGS)
+endef
+$(foreach app,$(UNIT_TABLES),$(eval $(call unit_table,$(app))))
 build/unit/%.o: %.c build/unit/lut_table.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g -O1 $(SANITIZE) $(HOST_FLAGS) $(UNIT_FLAGS) -c $< -o $@
@@ -167,7 +185,7 @@ build/unit/tests/%.o build/unit/$(UNITY)/%.o: HOST_FLAGS += -Wno-conversion
 build/unit/libcore.a: $(CORE_SRC:%.c=build/unit/%.o)
 	$(Q)rm -f $@; ar rcs $@ $^
 $(UNIT_TESTS): build/unit/%: build/unit/tests/unit/%.o build/unit/$(UNITY)/unity.o build/unit/libcore.a
-	$(Q)$(CC) -g $(SANITIZE) $^ -o $@
+	$(Q)$(CC) -g $(SANITIZE) $^ -lm -o $@
 build/chip/%.rel: %.c build/unit/lut_table.h
 	@mkdir -p $(@D)
 	$(Q)$(SDCC_UNIT) $(UNIT_FLAGS) $(CHIP_FLAGS) -MMD -c $< -o $@

@@ -23,3 +23,15 @@ uint16_t mul_hi_u16(uint16_t a, uint16_t b)
     result += mul_u8(a_high, b_high);
     return result;
 }
+
+uint32_t mul_u16(uint16_t a, uint16_t b)
+{
+    uint16_t low = mul_u8((uint8_t)a, (uint8_t)b);
+    uint8_t cross =
+        (uint8_t)(mul_u8((uint8_t)(a >> 8), (uint8_t)b) + mul_u8((uint8_t)a, (uint8_t)(b >> 8)));
+
+    /* The upper half carries every carry; of the lower half's upper byte only its own bits matter.
+     */
+    low = (uint16_t)(low + (uint16_t)(cross << 8));
+    return (uint32_t)mul_hi_u16(a, b) << 16 | low;
+}

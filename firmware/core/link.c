@@ -1,36 +1,44 @@
 /* Up after three good frames in a row, lost after 200 ms without one. */
 #include "link.h"
 
-static uint16_t good_ms;
+static uint16_t since_ms; /* up: the last good frame; waiting: the start */
 static uint8_t good_row;
-static bool up;
+static uint8_t link;
 
-void link_init(void)
+void link_init(uint8_t state, uint16_t now_ms)
 {
+    link = state;
+    since_ms = now_ms;
     good_row = 0;
-    up = false;
 }
 
 bool link_good(uint16_t now_ms)
 {
-    (void)link_is_up(now_ms); /* a frame that ends a silence does not undo it */
-    good_ms = now_ms;
-    if (!up && ++good_row >= LINK_GOOD_FRAMES)
-        up = true;
-    return up;
+    /* A frame that ends a silence does not undo it. */
+    (void)link_check(now_ms);
+    if (link != LINK_UP) {
+        good_row++;
+        if (good_row < LINK_GOOD_FRAMES)
+            return false;
+        link = LINK_UP;
+    }
+    since_ms = now_ms;
+    return true;
 }
 
 void link_bad(void)
 {
-    if (!up)
-        good_row = 0;
+    good_row = 0;
 }
 
-bool link_is_up(uint16_t now_ms)
+uint8_t link_check(uint16_t now_ms)
 {
-    if (up && (uint16_t)(now_ms - good_ms) >= LINK_SILENCE_MS) {
-        up = false;
+    uint16_t past_ms = (uint16_t)(now_ms - since_ms);
+
+    if ((link == LINK_UP && past_ms >= LINK_SILENCE_MS) ||
+        (link == LINK_WAITING && past_ms >= LINK_START_MS)) {
+        link = LINK_LOST;
         good_row = 0;
     }
-    return up;
+    return link;
 }

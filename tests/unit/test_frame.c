@@ -1,6 +1,7 @@
 /* Frames: what comes in good comes out as it was sent, and nothing else comes out. */
 #include "frame.h"
 #include "crc16.h"
+#include <stddef.h>
 #include "unity.h"
 
 #define PAYLOAD_BYTES 6

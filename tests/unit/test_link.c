@@ -1,10 +1,11 @@
 /* The sign-of-life watch: three good frames to trust, 200 ms of silence to stop trusting. */
 #include "link.h"
+#include <stddef.h>
 #include "unity.h"
 
 void setUp(void)
 {
-    link_init();
+    link_init(LINK_WAITING, 0);
 }
 
 void tearDown(void) {}
@@ -16,13 +17,32 @@ static void bring_up(uint16_t now_ms)
     (void)link_good(now_ms);
 }
 
-static void test_link_is_lost_until_three_good_frames_in_a_row(void)
+static void test_link_waits_for_three_good_frames_in_a_row(void)
 {
-    TEST_ASSERT_FALSE(link_is_up(0));
+    TEST_ASSERT_EQUAL_UINT8(LINK_WAITING, link_check(0));
     TEST_ASSERT_FALSE(link_good(100));
     TEST_ASSERT_FALSE(link_good(200));
+    TEST_ASSERT_EQUAL_UINT8(LINK_WAITING, link_check(299));
     TEST_ASSERT_TRUE(link_good(300));
-    TEST_ASSERT_TRUE(link_is_up(300));
+    TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check(300));
+}
+
+static void test_link_that_does_not_come_up_in_time_is_lost(void)
+{
+    (void)link_good(450);
+    (void)link_good(480);
+    TEST_ASSERT_EQUAL_UINT8(LINK_WAITING, link_check(499));
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(500));
+    TEST_ASSERT_FALSE(link_good(510));
+}
+
+static void test_after_a_watchdog_reset_it_is_lost_from_the_start(void)
+{
+    link_init(LINK_LOST, 0);
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(0));
+    TEST_ASSERT_FALSE(link_good(50));
+    TEST_ASSERT_FALSE(link_good(100));
+    TEST_ASSERT_TRUE(link_good(150));
 }
 
 static void test_bad_frame_breaks_the_row_but_not_the_link(void)
@@ -34,15 +54,16 @@ static void test_bad_frame_breaks_the_row_but_not_the_link(void)
     TEST_ASSERT_FALSE(link_good(300));
     TEST_ASSERT_TRUE(link_good(400));
     link_bad();
-    TEST_ASSERT_TRUE(link_is_up(500));
+    TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check(500));
+    TEST_ASSERT_TRUE(link_good(500));
 }
 
 static void test_silence_of_200_ms_loses_the_link(void)
 {
-    bring_up(1000);
-    TEST_ASSERT_TRUE(link_is_up(1199));
-    TEST_ASSERT_FALSE(link_is_up(1200));
-    TEST_ASSERT_FALSE(link_is_up(1199)); /* lost is lost */
+    bring_up(100);
+    TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check(299));
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(300));
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(299)); /* lost is lost */
 }
 
 static void test_bad_frames_are_no_sign_of_life(void)
@@ -52,7 +73,7 @@ static void test_bad_frames_are_no_sign_of_life(void)
     bring_up(0);
     for (now_ms = 20; now_ms < 200; now_ms += 20)
         link_bad();
-    TEST_ASSERT_FALSE(link_is_up(200));
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(200));
 }
 
 static void test_frame_after_a_silence_does_not_undo_it(void)
@@ -65,15 +86,18 @@ static void test_frame_after_a_silence_does_not_undo_it(void)
 
 static void test_clock_may_wrap(void)
 {
+    link_init(LINK_WAITING, 65400U);
     bring_up(65500U);
-    TEST_ASSERT_TRUE(link_is_up((uint16_t)(65500U + 199U)));
-    TEST_ASSERT_FALSE(link_is_up((uint16_t)(65500U + 200U)));
+    TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check((uint16_t)(65500U + 199U)));
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check((uint16_t)(65500U + 200U)));
 }
 
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(test_link_is_lost_until_three_good_frames_in_a_row);
+    RUN_TEST(test_link_waits_for_three_good_frames_in_a_row);
+    RUN_TEST(test_link_that_does_not_come_up_in_time_is_lost);
+    RUN_TEST(test_after_a_watchdog_reset_it_is_lost_from_the_start);
     RUN_TEST(test_bad_frame_breaks_the_row_but_not_the_link);
     RUN_TEST(test_silence_of_200_ms_loses_the_link);
     RUN_TEST(test_bad_frames_are_no_sign_of_life);

@@ -91,6 +91,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         argp_usage(state);
         return 0;
     case ARGP_KEY_END:
+        if (a->grid.table.half_down && a->law.text != NULL)
+            argp_error(state, "--half-down and --repair: choose one, a repair starts from half up");
         if (a->changes_path != NULL && a->law.text == NULL)
             argp_error(state, "--changes lists what --repair changed; give --repair=SPEC too");
         return 0;

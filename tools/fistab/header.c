@@ -88,9 +88,9 @@ static void write_methods(const struct writer *w)
         fprintf(w->out, ", integrated exactly");
     else if (fis->type == FIS_MAMDANI)
         fprintf(w->out, " of %zu samples", options->infer.samples);
-    fprintf(w->out, ".\n * %s; value = round(%d * (output - min) / (max - min)), half up",
+    fprintf(w->out, ".\n * %s; value = round(%d * (output - min) / (max - min)), half %s",
             options->nodes ? "Sampled at nodes from end to end" : "Sampled at cell centres",
-            options->levels);
+            options->levels, options->half_down ? "down" : "up");
     fprintf(w->out, ".\n * Repair: %s.\n",
             w->options->repair != NULL ? w->options->repair : "none");
 }
@@ -285,7 +285,7 @@ void csv_write_changes(FILE *out, const struct table *table)
         for (size_t cell = 0; cell < table->cells; cell++) {
             double surface = table->surface[o][cell];
 
-            if (table_round(surface) == table->cell[o][cell])
+            if (table_rounded(table, surface) == table->cell[o][cell])
                 continue;
             table_coordinates(table, cell, at);
             for (size_t i = 0; i < table->inputs; i++)
@@ -293,7 +293,7 @@ void csv_write_changes(FILE *out, const struct table *table)
             for (size_t i = 0; i < table->inputs; i++)
                 fprintf(out, "%.10g,", table_axis_value(table, i, at[i]));
             put_csv_name(out, table->fis->output[o].name);
-            fprintf(out, ",%.10g,%d,%d\n", surface, table_round(surface), table->cell[o][cell]);
+            fprintf(out, ",%.10g,%d,%d\n", surface, table_rounded(table, surface), table->cell[o][cell]);
         }
     }
 }

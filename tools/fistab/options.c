@@ -5,7 +5,7 @@
 #include "command.h"
 #include "diag.h"
 
-enum { KEY_SAMPLES = 0x100, KEY_EXACT, KEY_GRID, KEY_NODES, KEY_LEVELS };
+enum { KEY_SAMPLES = 0x100, KEY_EXACT, KEY_GRID, KEY_NODES, KEY_LEVELS, KEY_HALF_DOWN };
 
 long option_integer(const char *text, long min, long max, const char *option,
                     struct argp_state *state)
@@ -85,6 +85,9 @@ static error_t parse_grid(int key, char *argument, struct argp_state *state)
     case KEY_NODES:
         options->table.nodes = true;
         return 0;
+    case KEY_HALF_DOWN:
+        options->table.half_down = true;
+        return 0;
     case KEY_LEVELS:
         options->table.levels = (int)option_integer(argument, 1, 255, "--levels", state);
         return 0;
@@ -100,6 +103,8 @@ static const struct argp_option grid_option[] = {
      "Sample from end to end, for tables that the firmware interpolates", 1},
     {"levels", KEY_LEVELS, "N", 0,
      "What the high end of an output's range becomes, 1..255; 100 if not given", 1},
+    {"half-down", KEY_HALF_DOWN, NULL, 0,
+     "Round a value half way between two integers down; up if not given", 1},
     {0},
 };
 

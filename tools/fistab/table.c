@@ -39,6 +39,11 @@ int table_round(double levels)
     return (int)floor(levels + 0.5 + 1e-9);
 }
 
+int table_rounded(const struct table *table, double levels)
+{
+    return table->options.half_down ? (int)ceil(levels - 0.5 - 1e-9) : table_round(levels);
+}
+
 /* "distance_m = 3, closing_mps = 10" */
 static const char *point_text(const struct fis *fis, const double *x, char *buffer, size_t size)
 {
@@ -80,7 +85,7 @@ static int sample_cell(struct table *table, struct engine *engine, size_t cell)
                 output->name, y[o], point_text(fis, x, buffer, sizeof buffer), output->min,
                 output->max);
         table->surface[o][cell] = fmin(fmax(levels, 0), table->options.levels);
-        table->cell[o][cell] = table_round(table->surface[o][cell]);
+        table->cell[o][cell] = table_rounded(table, table->surface[o][cell]);
     }
     return EXIT_FINE;
 }

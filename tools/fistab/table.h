@@ -20,6 +20,7 @@ struct table_options {
     size_t dims[TABLE_INPUTS_MAX]; /* 0: the default, see table_default_dims */
     bool nodes; /* sample from end to end, for interpolation; else at cell centres */
     int levels; /* 1..255: -8..8 with 200 is a signed table, 0.08 a level, 100 for 0 */
+    bool half_down; /* a value half way between two integers becomes the lower one */
 };
 
 struct table {
@@ -44,11 +45,14 @@ void table_coordinates(const struct table *table, size_t cell, size_t *at);
 
 /* Works out the surface and its rounded integers. Returns EXIT_FINE, or EXIT_INPUT after a message:
  * a point without a rule, a value outside the output's range, too large; then nothing is to be
- * freed. Half up means that a value within 1e-9 of a half counts as the half. */
+ * freed. */
 int table_make(const struct fis *fis, const struct table_options *options, struct table *table);
 void table_free(struct table *table);
 
-/* The integer of a surface value: rounded half up. */
+/* The integer of a surface value: rounded half up. A value within 1e-9 of a half counts as the half. */
 int table_round(double levels);
+
+/* The same, rounded as the table's options say. */
+int table_rounded(const struct table *table, double levels);
 
 #endif

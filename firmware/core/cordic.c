@@ -1,0 +1,45 @@
+/* CORDIC in vectoring mode. */
+#include "cordic.h"
+#include <stdbool.h>
+#include "cc51.h"
+
+#define STEPS        13
+#define ENLARGED_MAX 4
+
+/* atan(2^-i) in 65,536ths of a turn. */
+static const uint16_t __code step_angle[STEPS] = {8192, 4836, 2555, 1297, 651, 326, 163,
+                                                  81,   41,   20,   10,   5,   3};
+
+struct cordic_polar cordic_polar;
+
+void cordic_to_polar(int16_t across, int16_t along)
+{
+    bool mirrored = across < 0;
+    uint16_t x = (uint16_t)along; /* 47,700 at most */
+    int16_t y = (int16_t)(mirrored ? -across : across);
+    int16_t angle = 0;
+    uint8_t enlarged = 0;
+    uint8_t step;
+
+    /* A near point is enlarged first: its steps would be lost below the last bit. */
+    while (enlarged < ENLARGED_MAX && x < CORDIC_ALONG_MAX / 2 && y < CORDIC_ACROSS_MAX / 2) {
+        x = (uint16_t)(x << 1);
+        y = (int16_t)(y << 1);
+        enlarged++;
+    }
+    for (step = 0; step < STEPS; step++) {
+        uint16_t x_part = (uint16_t)(x >> step);
+
+        if (y >= 0) {
+            x = (uint16_t)(x + (y >> step));
+            y = (int16_t)(y - x_part);
+            angle = (int16_t)(angle + step_angle[step]);
+        } else {
+            x = (uint16_t)(x + (-y >> step));
+            y = (int16_t)(y + x_part);
+            angle = (int16_t)(angle - step_angle[step]);
+        }
+    }
+    cordic_polar.length = (uint16_t)(x >> enlarged);
+    cordic_polar.angle = (int16_t)(mirrored ? -angle : angle);
+}

@@ -1,0 +1,126 @@
+/* The two steering laws, their blend, and when to stand. */
+#include "park.h"
+#include "cordic.h"
+#include "fixed.h"
+#include "frame.h"
+#include "lut.h"
+
+#if LUT_INPUTS != 1 || LUT_LEVELS != 255
+#error "park needs w(D) as a table of one input in 255 levels: fistab table --grid=256 --levels=255"
+#endif
+
+#define QUARTER_TURN 16384U
+
+/* 1/512 m * CORDIC_GAIN to mm: 1000 / 512 / 1.646760 = 1 + 12192 / 65536. */
+#define MM_OVER_1_Q16 12192U
+
+/* X / 8 rad in 65,536ths of a turn for each 1/512 m: 65536 / (2 pi) / 4096 = 2 + 35796 / 65536. */
+#define NEAR_OVER_2_Q16 35796U
+
+struct park park;
+
+void park_init(void)
+{
+    park.theta = 0;
+    park.servo_us = PARK_SERVO_MID_US;
+    park.state = PARK_WAITING;
+}
+
+static int16_t limited(int32_t theta)
+{
+    if (theta > PARK_THETA_MAX)
+        return PARK_THETA_MAX;
+    if (theta < -PARK_THETA_MAX)
+        return -PARK_THETA_MAX;
+    return (int16_t)theta;
+}
+
+static uint16_t magnitude(int16_t value)
+{
+    return (uint16_t)(value < 0 ? -value : value);
+}
+
+static uint8_t weight_at(uint16_t dist_mm)
+{
+    uint16_t cell;
+
+    if (dist_mm < (uint16_t)LUT_IN1_MIN_MILLI)
+        return lut_at(0, 0);
+    dist_mm -= (uint16_t)LUT_IN1_MIN_MILLI;
+    if (dist_mm >= (uint16_t)LUT_IN1_SPAN_MILLI)
+        return lut_at((uint8_t)(LUT_IN1_CELLS - 1), 0);
+    cell = mul_hi_u16(dist_mm, LUT_IN1_MUL) >> LUT_IN1_SHIFT;
+    return lut_at((uint8_t)cell, 0);
+}
+
+static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
+{
+    int16_t more = far_law - near_law; /* 16384 at most */
+    int16_t part;
+
+    if (weight == 255)
+        return far_law;
+    /* 255 means all of it: what counts is weight + weight / 128, in 256ths. */
+    part =
+        (int16_t)mul_hi_u16(magnitude(more), (uint16_t)((uint16_t)(weight + (weight >> 7)) << 8));
+    return more < 0 ? near_law - part : near_law + part;
+}
+
+void park_steer(void)
+{
+    int16_t delta = (int16_t)(park.heading - QUARTER_TURN);
+    int32_t across =
+        (int32_t)magnitude(park.x) * 2 + mul_hi_u16(magnitude(park.x), NEAR_OVER_2_Q16);
+    int16_t line; /* -phi */
+
+    cordic_to_polar(park.x, park.y);
+    line = cordic_polar.angle;
+    park.dist_mm = cordic_polar.length + mul_hi_u16(cordic_polar.length, MM_OVER_1_Q16);
+    park.weight = weight_at(park.dist_mm);
+
+    /* delta + line wraps as an angle does; the sums around it must not. */
+    park.theta_far = limited((int32_t)line * 3 + (int32_t)(int16_t)(delta + line) * 2);
+    park.theta_near = limited((park.x < 0 ? -across : across) + delta);
+    park.theta = blended(park.theta_far, park.theta_near, park.weight);
+}
+
+bool park_read(void)
+{
+    int16_t x = (int16_t)frame_u16(0);
+    int16_t y = (int16_t)frame_u16(2);
+
+    if (x < -PARK_X_MAX || x > PARK_X_MAX || y < PARK_Y_MIN || y > PARK_Y_MAX)
+        return false;
+    park.x = x;
+    park.y = y;
+    park.heading = frame_u16(4);
+    return true;
+}
+
+void park_decide(void)
+{
+    uint16_t off_us;
+
+    if (park.state == PARK_ARRIVED)
+        return;
+    if (park.y <= 0) {
+        park.state = PARK_ARRIVED;
+        return;
+    }
+    park.state = PARK_DRIVING;
+    park_steer();
+    /* 500 us / 8192 is 4000 / 65536. */
+    off_us = mul_hi_u16(magnitude(park.theta), 4000U);
+    park.servo_us = park.theta < 0 ? PARK_SERVO_MID_US - off_us : PARK_SERVO_MID_US + off_us;
+}
+
+void park_lose(void)
+{
+    if (park.state == PARK_DRIVING)
+        park.state = PARK_FAULT;
+}
+
+bool park_must_stand(void)
+{
+    return park.state != PARK_DRIVING;
+}

@@ -1,0 +1,129 @@
+/* Gate, table, release. */
+#include "radar.h"
+#include "fixed.h"
+#include "fmcw.h"
+#include "frame.h"
+#include "lane.h"
+#include "lut.h"
+#include "safe.h"
+
+#if LUT_INPUTS != 2 || LUT_IN1_CELLS != 13 || LUT_IN2_CELLS != 13
+#error "radar needs a table of 13 x 13 cells: fistab table --grid=13x13"
+#endif
+
+#define FLAGS_KNOWN    (RADAR_TARGET | RADAR_SIGNED)
+#define GATE_MAX_CM    10000U
+#define CLOSING_MAX    600
+#define AWAY_FRAMES    3 /* without a target in the lane before the brake lets go */
+#define BRAKE_COAST    10
+#define BRAKE_FULL_PCT 100
+
+struct radar radar;
+
+static uint8_t away_row;
+
+void radar_init(void)
+{
+    radar.flags = 0;
+    radar.brake_pct = 0;
+    radar.state = RADAR_DRIVER;
+    away_row = 0;
+}
+
+uint8_t radar_row(int16_t closing_dkmh)
+{
+    if (closing_dkmh <= 0)
+        return 0;
+    if (closing_dkmh >= CLOSING_MAX)
+        return 12;
+    /* (V + 25) / 50: 1311 / 65536 is 1/50 and 14 / 65536 / 50 more, exact below 4681. */
+    return (uint8_t)mul_hi_u16((uint16_t)(closing_dkmh + 25), 1311U);
+}
+
+uint8_t radar_col(uint16_t range_cm)
+{
+    if (range_cm >= GATE_MAX_CM)
+        return 12;
+    /* (3 S + 1250) / 2500: 26844 / 2^26 is 1/2500 and a little more, exact below 59,000. */
+    return (uint8_t)(mul_hi_u16((uint16_t)(range_cm * 3U + 1250U), 26844U) >> 10);
+}
+
+bool radar_read(void)
+{
+    int32_t up_hz = frame_i24(0);
+    int32_t down_hz = frame_i24(3);
+    int16_t azimuth = (int16_t)frame_u16(6);
+    uint16_t own_dkmh = frame_u16(8);
+    int16_t curvature_upm = (int16_t)frame_u16(10);
+    uint8_t flags = frame_body[12];
+
+    if ((flags & (uint8_t)~FLAGS_KNOWN) != 0 || own_dkmh > SAFE_SPEED_MAX_DKMH ||
+        curvature_upm == INT16_MIN)
+        return false;
+    if (flags & RADAR_TARGET) {
+        if (azimuth < -LANE_AZIMUTH_MAX || azimuth > LANE_AZIMUTH_MAX ||
+            !fmcw_pair_is_possible(up_hz, down_hz))
+            return false;
+        if (!(flags & RADAR_SIGNED) &&
+            (up_hz < 0 || down_hz < 0 || fmcw_sign_is_open(up_hz, down_hz, own_dkmh)))
+            return false;
+        radar.range_cm = fmcw_range_cm(up_hz, down_hz);
+        radar.closing_dkmh = fmcw_closing_dkmh(up_hz, down_hz);
+        radar.azimuth = azimuth;
+    }
+    radar.own_dkmh = own_dkmh;
+    radar.curvature_upm = curvature_upm;
+    radar.flags = flags;
+    return true;
+}
+
+static void let_go(void)
+{
+    radar.state = RADAR_DRIVER;
+    radar.brake_pct = 0;
+}
+
+static void brake(void)
+{
+    radar.state = RADAR_BRAKING;
+    radar.row = radar_row(radar.closing_dkmh);
+    radar.col = radar_col(radar.range_cm);
+    radar.level = lut_at(radar.row, radar.col);
+    /* 0.8 m/s2 and 0.03 m/s2 a level, of the 8 m/s2 that 100 % asks for. */
+    radar.brake_pct = (uint8_t)(BRAKE_COAST + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
+    if (radar.brake_pct > BRAKE_FULL_PCT)
+        radar.brake_pct = BRAKE_FULL_PCT;
+}
+
+void radar_decide(void)
+{
+    uint16_t gate_cm;
+
+    radar.safe_cm = safe_distance_cm(radar.own_dkmh);
+    if (!(radar.flags & RADAR_TARGET) ||
+        !lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
+        /* A target can be out of sight for a moment, behind a bump or at the edge of the lane. */
+        if (radar.state == RADAR_DRIVER || ++away_row >= AWAY_FRAMES)
+            let_go();
+        return;
+    }
+    away_row = 0;
+    gate_cm = radar.safe_cm < GATE_MAX_CM ? radar.safe_cm : GATE_MAX_CM;
+    if (radar.closing_dkmh > 0 && (radar.state == RADAR_BRAKING || radar.range_cm < gate_cm))
+        brake();
+    else
+        let_go();
+}
+
+void radar_lose(uint8_t fault_pct)
+{
+    radar.state = RADAR_FAULT;
+    away_row = 0;
+    if (radar.brake_pct < fault_pct)
+        radar.brake_pct = fault_pct;
+}
+
+bool radar_cuts_throttle(void)
+{
+    return radar.state != RADAR_DRIVER;
+}

@@ -1,0 +1,97 @@
+/* Beat frequencies to range and closing speed. */
+#include "fmcw.h"
+#include <stddef.h>
+#include "unity.h"
+
+void setUp(void) {}
+
+void tearDown(void) {}
+
+static void test_five_metres_at_twenty_mps_needs_the_sign(void)
+{
+    /* f_r = 5 * 1000.69, f_d = 20 * 513.7: f+ = -5,270 Hz, f- = 15,277 Hz. */
+    TEST_ASSERT_TRUE(fmcw_pair_is_possible(-5270, 15277));
+    TEST_ASSERT_UINT16_WITHIN(1, 500, fmcw_range_cm(-5270, 15277));
+    TEST_ASSERT_INT16_WITHIN(1, 720, fmcw_closing_dkmh(-5270, 15277));
+
+    /* What a mixer without a sign would make of it: far and slow. */
+    TEST_ASSERT_UINT16_WITHIN(1, 1027, fmcw_range_cm(5270, 15277));
+    TEST_ASSERT_INT16_WITHIN(1, 351, fmcw_closing_dkmh(5270, 15277));
+}
+
+static void test_equal_beats_are_equal_speeds(void)
+{
+    TEST_ASSERT_EQUAL_INT16(0, fmcw_closing_dkmh(100069, 100069));
+    TEST_ASSERT_UINT16_WITHIN(1, 10000, fmcw_range_cm(100069, 100069));
+}
+
+static void test_opening_is_negative(void)
+{
+    TEST_ASSERT_INT16_WITHIN(1, -720, fmcw_closing_dkmh(15277, -5270));
+}
+
+static void test_limits_of_what_is_possible(void)
+{
+    TEST_ASSERT_TRUE(fmcw_pair_is_possible(0, 0));
+    TEST_ASSERT_FALSE(fmcw_pair_is_possible(-1, 0));
+    TEST_ASSERT_TRUE(fmcw_pair_is_possible(500000, 548575));
+    TEST_ASSERT_FALSE(fmcw_pair_is_possible(500000, 548576));
+    TEST_ASSERT_TRUE(fmcw_pair_is_possible(100000, 231071));
+    TEST_ASSERT_FALSE(fmcw_pair_is_possible(100000, 231072));
+    TEST_ASSERT_TRUE(fmcw_pair_is_possible(231071, 100000));
+    TEST_ASSERT_FALSE(fmcw_pair_is_possible(231072, 100000));
+    TEST_ASSERT_FALSE(fmcw_pair_is_possible(-8388608, 8388607));
+    TEST_ASSERT_FALSE(fmcw_pair_is_possible(8388607, 8388607));
+}
+
+static void test_open_sign_is_seen_only_where_both_readings_are_possible(void)
+{
+    /* 5 m and 20 m/s behind a mixer without a sign, own speed 200 km/h and 20 km/h. */
+    TEST_ASSERT_TRUE(fmcw_sign_is_open(5270, 15277, 2000));
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(5270, 15277, 200));
+    /* 50 m and 10 m/s: the other reading would be 351 km/h. */
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(44898, 55172, 2000));
+    /* Opening: f+ is the larger one, and its sign is plain. */
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(15277, 5270, 2000));
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(200000, 200001, 2500));
+}
+
+#ifndef __SDCC_mcs51
+/* Against the formulas themselves, over everything that is possible. */
+static void test_range_is_exact_to_a_centimetre(void)
+{
+    const double metre_per_hz = 299792458.0 * 2e-3 / (8 * 150e6);
+
+    for (int32_t sum_hz = 0; sum_hz < FMCW_SUM_END_HZ; sum_hz++) {
+        double error_cm =
+            fmcw_range_cm(sum_hz / 3, sum_hz - sum_hz / 3) - sum_hz * metre_per_hz * 100;
+        TEST_ASSERT_TRUE_MESSAGE(error_cm > -2.3 && error_cm <= 0.0, "cm");
+    }
+}
+
+static void test_closing_is_exact_to_a_tenth(void)
+{
+    const double dkmh_per_hz = 299792458.0 / (4 * 77e9) * 36;
+
+    for (int32_t diff_hz = 1 - FMCW_DIFF_END_HZ; diff_hz < FMCW_DIFF_END_HZ; diff_hz++) {
+        double error_dkmh =
+            fmcw_closing_dkmh(150000 - diff_hz, 150000) - (double)diff_hz * dkmh_per_hz;
+        TEST_ASSERT_TRUE_MESSAGE(error_dkmh > -1.0 && error_dkmh < 1.0, "0.1 km/h");
+    }
+}
+#endif
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_five_metres_at_twenty_mps_needs_the_sign);
+    RUN_TEST(test_equal_beats_are_equal_speeds);
+    RUN_TEST(test_opening_is_negative);
+    RUN_TEST(test_limits_of_what_is_possible);
+    RUN_TEST(test_open_sign_is_seen_only_where_both_readings_are_possible);
+#ifndef __SDCC_mcs51
+    RUN_TEST(test_range_is_exact_to_a_centimetre);
+    RUN_TEST(test_closing_is_exact_to_a_tenth);
+#endif
+    return UNITY_END();
+}

@@ -1,0 +1,224 @@
+/* The parking controller: the laws against the published example, and when the car stands. */
+#include "lut.c"
+#include "park.c"
+#include <stddef.h>
+#include "unity.h"
+
+#ifndef __SDCC_mcs51
+#include <math.h>
+#endif
+
+static void place(int16_t x_dm, int16_t y_dm, int16_t heading_deg)
+{
+    park.x = (int16_t)(((int32_t)x_dm * 512 + (x_dm < 0 ? -5 : 5)) / 10);
+    park.y = (int16_t)(((int32_t)y_dm * 512 + 5) / 10);
+    park.heading = (uint16_t)((int32_t)heading_deg * 8192 / 45);
+}
+
+static void send(int16_t x, int16_t y, uint16_t heading)
+{
+    frame_body[0] = (uint8_t)((uint16_t)x >> 8);
+    frame_body[1] = (uint8_t)x;
+    frame_body[2] = (uint8_t)((uint16_t)y >> 8);
+    frame_body[3] = (uint8_t)y;
+    frame_body[4] = (uint8_t)(heading >> 8);
+    frame_body[5] = (uint8_t)heading;
+}
+
+void setUp(void)
+{
+    park_init();
+}
+
+void tearDown(void) {}
+
+/* Thousandths of a degree; the printed float values are met to 0.15 degrees, 27 of 65,536. */
+static void expect_angle(int32_t millideg, int16_t theta)
+{
+    TEST_ASSERT_INT16_WITHIN(27, (int16_t)(millideg * 1024 / 5625), theta);
+}
+
+/* Metres in tenths, degrees; then thousandths of a metre and of degrees. */
+static void expect_laws(int16_t x_dm, int16_t y_dm, int16_t heading_deg, uint16_t dist_mm,
+                        int32_t far_millideg, int32_t near_millideg, int32_t theta_millideg)
+{
+    place(x_dm, y_dm, heading_deg);
+    park_steer();
+    TEST_ASSERT_UINT16_WITHIN(10, dist_mm, park.dist_mm);
+    expect_angle(far_millideg, park.theta_far);
+    expect_angle(near_millideg, park.theta_near);
+    expect_angle(theta_millideg, park.theta);
+}
+
+static void test_published_spot_values(void)
+{
+    expect_laws(150, 200, 0, 25000, 4349, 17430, 4349);
+    expect_laws(-150, 200, 180, 25000, -4349, -17430, -4349);
+    expect_laws(100, 250, 90, 26926, 45000, 45000, 45000);
+    expect_laws(50, 150, 60, 15811, 32175, 5810, 32175);
+    expect_laws(120, 280, 30, 30463, -4007, 25944, -4007);
+    expect_laws(200, 300, -90, 36056, -45000, -36761, -45000);
+    expect_laws(20, 60, 100, 6325, 45000, 24324, 41509);
+    expect_laws(10, 50, 85, 5099, 45000, 2162, 24641);
+    expect_laws(-5, 40, 92, 4031, -31625, -1581, -9326);
+    expect_laws(5, 30, 88, 3041, 43312, 1581, 2013);
+    expect_laws(2, 20, 90, 2010, 28553, 1432, 1432);
+    expect_laws(-3, 10, 91, 1044, -45000, -1149, -1149);
+}
+
+static void test_left_and_right_are_mirror_images(void)
+{
+    int16_t x_dm, y_dm, heading_deg;
+
+    for (y_dm = 10; y_dm <= 300; y_dm += 97) {
+        for (x_dm = 3; x_dm <= 200; x_dm += 67) {
+            for (heading_deg = -80; heading_deg <= 80; heading_deg += 40) {
+                int16_t theta;
+                place(x_dm, y_dm, heading_deg);
+                park_steer();
+                theta = park.theta;
+                park.x = -park.x;
+                park.heading = (uint16_t)(32768U - park.heading);
+                park_steer();
+                TEST_ASSERT_EQUAL_INT16(-theta, park.theta);
+            }
+        }
+    }
+}
+
+static void test_car_stands_until_it_knows_where_it_is(void)
+{
+    TEST_ASSERT_TRUE(park_must_stand());
+    TEST_ASSERT_EQUAL_UINT16(PARK_SERVO_MID_US, park.servo_us);
+    send(0, 10000, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_FALSE(park_must_stand());
+}
+
+static void test_servo_pulse_is_one_to_two_milliseconds(void)
+{
+    send(5120, 12800, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_EQUAL_UINT16(2000, park.servo_us);
+    send(-5120, 12800, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_EQUAL_UINT16(1000, park.servo_us);
+    send(0, 12800, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_UINT16_WITHIN(1, 1500, park.servo_us);
+}
+
+static void test_at_the_line_it_stands_for_good(void)
+{
+    send(0, 100, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_FALSE(park_must_stand());
+    send(0, 0, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_EQUAL_UINT8(PARK_ARRIVED, park.state);
+    send(0, 100, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_TRUE(park_must_stand());
+    park_lose();
+    TEST_ASSERT_EQUAL_UINT8(PARK_ARRIVED, park.state);
+}
+
+static void test_lost_link_stops_the_car_and_keeps_the_wheel(void)
+{
+    uint16_t servo_us;
+
+    send(5120, 12800, 8192);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    servo_us = park.servo_us;
+    park_lose();
+    TEST_ASSERT_EQUAL_UINT8(PARK_FAULT, park.state);
+    TEST_ASSERT_TRUE(park_must_stand());
+    TEST_ASSERT_EQUAL_UINT16(servo_us, park.servo_us);
+    park_decide();
+    TEST_ASSERT_FALSE(park_must_stand());
+}
+
+static void expect_refused(int16_t x, int16_t y)
+{
+    send(x, y, 1234);
+    TEST_ASSERT_FALSE(park_read());
+    TEST_ASSERT_EQUAL_INT16(100, park.x);
+    TEST_ASSERT_EQUAL_INT16(200, park.y);
+    TEST_ASSERT_EQUAL_UINT16(300, park.heading);
+}
+
+static void test_values_out_of_range_are_refused_and_change_nothing(void)
+{
+    send(100, 200, 300);
+    TEST_ASSERT_TRUE(park_read());
+    expect_refused(PARK_X_MAX + 1, 5000);
+    expect_refused(-PARK_X_MAX - 1, 5000);
+    expect_refused(0, PARK_Y_MAX + 1);
+    expect_refused(0, PARK_Y_MIN - 1);
+    expect_refused(INT16_MIN, INT16_MIN);
+}
+
+#ifndef __SDCC_mcs51
+#define DEG (180 / 3.14159265358979)
+
+/* The laws in floating point, as published. NAN where an angle wraps: opposite lock, a true tie. */
+static double law_deg(double x_m, double y_m, double psi_deg)
+{
+    double phi_deg = -atan2(x_m, y_m) * DEG;
+    double delta_deg = remainder(psi_deg - 90, 360);
+    double off_line_deg = remainder(delta_deg - phi_deg, 360);
+    double far_deg = -3 * phi_deg + 2 * off_line_deg;
+    double near_deg = x_m / 8 * DEG + delta_deg;
+    double w = fmin(fmax((hypot(x_m, y_m) - 3) / 4, 0), 1);
+
+    if (fabs(delta_deg) > 179.9 || fabs(off_line_deg) > 179.9)
+        return NAN;
+    return w * fmin(fmax(far_deg, -45), 45) + (1 - w) * fmin(fmax(near_deg, -45), 45);
+}
+
+static void test_laws_against_floating_point(void)
+{
+    unsigned states = 0, ties = 0;
+
+    for (int x_dm = -250; x_dm <= 250; x_dm += 7) {
+        for (int y_dm = 5; y_dm <= 350; y_dm += 7) {
+            for (int heading_deg = -90; heading_deg < 270; heading_deg += 11) {
+                double theta_deg;
+                place((int16_t)x_dm, (int16_t)y_dm, (int16_t)heading_deg);
+                park_steer();
+                theta_deg = law_deg(park.x / 512.0, park.y / 512.0, park.heading * 360.0 / 65536);
+                states++;
+                if (isnan(theta_deg))
+                    ties++;
+                else
+                    TEST_ASSERT_DOUBLE_WITHIN(0.4, theta_deg, park.theta * 360.0 / 65536);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(ties < states / 25);
+}
+#endif
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_published_spot_values);
+    RUN_TEST(test_left_and_right_are_mirror_images);
+    RUN_TEST(test_car_stands_until_it_knows_where_it_is);
+    RUN_TEST(test_servo_pulse_is_one_to_two_milliseconds);
+    RUN_TEST(test_at_the_line_it_stands_for_good);
+    RUN_TEST(test_lost_link_stops_the_car_and_keeps_the_wheel);
+    RUN_TEST(test_values_out_of_range_are_refused_and_change_nothing);
+#ifndef __SDCC_mcs51
+    RUN_TEST(test_laws_against_floating_point);
+#endif
+    return UNITY_END();
+}

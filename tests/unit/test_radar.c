@@ -1,0 +1,261 @@
+/* The radar controller's decisions, with the table that ships. */
+#include "lut.c"
+#include "radar.c"
+#include <stddef.h>
+#include "unity.h"
+
+#define KMH 10 /* in tenths */
+
+/* The payload of a frame, as the front end would send it. */
+static void send(int32_t up_hz, int32_t down_hz, int16_t azimuth, uint16_t own_dkmh,
+                 int16_t curvature_upm, uint8_t flags)
+{
+    frame_body[0] = (uint8_t)((uint32_t)up_hz >> 16);
+    frame_body[1] = (uint8_t)((uint32_t)up_hz >> 8);
+    frame_body[2] = (uint8_t)up_hz;
+    frame_body[3] = (uint8_t)((uint32_t)down_hz >> 16);
+    frame_body[4] = (uint8_t)((uint32_t)down_hz >> 8);
+    frame_body[5] = (uint8_t)down_hz;
+    frame_body[6] = (uint8_t)((uint16_t)azimuth >> 8);
+    frame_body[7] = (uint8_t)azimuth;
+    frame_body[8] = (uint8_t)(own_dkmh >> 8);
+    frame_body[9] = (uint8_t)own_dkmh;
+    frame_body[10] = (uint8_t)((uint16_t)curvature_upm >> 8);
+    frame_body[11] = (uint8_t)curvature_upm;
+    frame_body[12] = flags;
+}
+
+/* A target straight ahead: the beats of a range and a closing speed, to the nearest Hz. */
+static void send_target(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dkmh)
+{
+    int32_t range_hz =
+        (int32_t)(((uint32_t)range_cm * 100069UL + 5000) / 10000) + 15; /* up to a whole step */
+    int32_t speed_hz = (int32_t)closing_dkmh * 1427L / 100;
+
+    send(range_hz - speed_hz, range_hz + speed_hz, 0, own_dkmh, 0, RADAR_TARGET | RADAR_SIGNED);
+}
+
+static void step(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dkmh)
+{
+    send_target(range_cm, closing_dkmh, own_dkmh);
+    TEST_ASSERT_TRUE(radar_read());
+    radar_decide();
+}
+
+static void step_without_target(void)
+{
+    send(0, 0, 0, 100 * KMH, 0, RADAR_SIGNED);
+    TEST_ASSERT_TRUE(radar_read());
+    radar_decide();
+}
+
+void setUp(void)
+{
+    radar_init();
+}
+
+void tearDown(void) {}
+
+/* Range, closing speed, levels of both, and the table's byte. */
+static void expect_level(uint16_t range_cm, int16_t closing_dkmh, int8_t e, int8_t c, uint8_t level)
+{
+    uint8_t row = radar_row(closing_dkmh), col = radar_col(range_cm);
+
+    TEST_ASSERT_EQUAL_INT(c, (int)row - 6);
+    TEST_ASSERT_EQUAL_INT(e, (int)col - 6);
+    TEST_ASSERT_EQUAL_UINT8(level, lut_at(row, col));
+}
+
+static void test_published_spot_values(void)
+{
+    expect_level(10000, 100, 6, -4, 13);
+    expect_level(9000, 400, 5, 2, 48);
+    expect_level(8333, 333, 4, 1, 48);
+    expect_level(7500, 250, 3, -1, 53);
+    expect_level(7000, 120, 2, -4, 40);
+    expect_level(6800, 0, 2, -6, 40);
+    expect_level(5000, 300, 0, 0, 120);
+    expect_level(5000, 600, 0, 6, 193);
+    expect_level(4000, 450, -1, 3, 163);
+    expect_level(3000, 150, -2, -3, 88);
+    expect_level(2000, 600, -4, 6, 219);
+    expect_level(1000, 350, -5, 1, 200);
+    expect_level(0, 600, -6, 6, 227);
+    expect_level(10000, 600, 6, 6, 120);
+}
+
+static void test_levels_are_those_of_the_division_everywhere(void)
+{
+    uint16_t range_cm = 0;
+    int16_t closing_dkmh;
+
+    do {
+        uint32_t col = ((uint32_t)range_cm * 12U + 5000U) / 10000U;
+        TEST_ASSERT_EQUAL_UINT8(col > 12 ? 12 : col, radar_col(range_cm));
+        range_cm = (uint16_t)(range_cm + 1);
+    } while (range_cm != 0);
+    for (closing_dkmh = -4600; closing_dkmh <= 4600; closing_dkmh++) {
+        uint16_t row = closing_dkmh < 0 ? 0 : (uint16_t)((closing_dkmh + 25) / 50);
+        TEST_ASSERT_EQUAL_UINT8(row > 12 ? 12 : row, radar_row(closing_dkmh));
+    }
+}
+
+static void test_driver_has_control_outside_the_gate(void)
+{
+    step(27400, 10 * KMH, 70 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+    TEST_ASSERT_EQUAL_UINT8(0, radar.brake_pct);
+    TEST_ASSERT_FALSE(radar_cuts_throttle());
+    step(10010, 10 * KMH, 200 * KMH); /* S_F is far more; the gate is 100 m at most */
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+    step(8200, 10 * KMH, 60 * KMH); /* S_F is 80.9 m */
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+}
+
+static void test_inside_the_gate_the_table_brakes(void)
+{
+    step(9000, 40 * KMH, 100 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    TEST_ASSERT_TRUE(radar_cuts_throttle());
+    TEST_ASSERT_EQUAL_UINT8(48, radar.level);
+    TEST_ASSERT_EQUAL_UINT8(28, radar.brake_pct); /* 2.24 m/s2 of 8 */
+}
+
+static void test_it_brakes_on_beyond_the_gate_until_the_closing_speed_is_gone(void)
+{
+    step(8000, 5 * KMH, 60 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    step(8000, 5 * KMH, 50 * KMH); /* S_F is 63 m now */
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    step(8000, 0, 50 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+    TEST_ASSERT_EQUAL_UINT8(0, radar.brake_pct);
+}
+
+static void test_target_that_draws_away_is_left_alone(void)
+{
+    step(500, -5 * KMH, 100 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+}
+
+static void test_negative_beat_brakes_hardest(void)
+{
+    step(500, 72 * KMH, 200 * KMH);
+    TEST_ASSERT_UINT16_WITHIN(3, 500, radar.range_cm);
+    TEST_ASSERT_INT16_WITHIN(2, 72 * KMH, radar.closing_dkmh);
+    TEST_ASSERT_EQUAL_UINT8(225, radar.level);
+}
+
+static void test_beats_without_a_sign_are_refused_where_it_matters(void)
+{
+    send(5270, 15277, 0, 200 * KMH, 0, RADAR_TARGET);
+    TEST_ASSERT_FALSE(radar_read());
+    send(-5270, 15277, 0, 200 * KMH, 0, RADAR_TARGET);
+    TEST_ASSERT_FALSE(radar_read());
+    send(44898, 55172, 0, 100 * KMH, 0, RADAR_TARGET);
+    TEST_ASSERT_TRUE(radar_read());
+}
+
+static void test_target_in_the_next_lane_of_a_bend_is_left_alone(void)
+{
+    /* 50 m ahead in a bend of 501.875 m the lane lies between 0.702 and 5.005 degrees. */
+    send(45000, 55000, 0, 100 * KMH, 1993, RADAR_TARGET | RADAR_SIGNED);
+    TEST_ASSERT_TRUE(radar_read());
+    radar_decide();
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+
+    send(45000, 55000, 519, 100 * KMH, 1993, RADAR_TARGET | RADAR_SIGNED); /* 2.85 degrees */
+    TEST_ASSERT_TRUE(radar_read());
+    radar_decide();
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+}
+
+static void test_target_out_of_sight_holds_the_brake_for_two_frames(void)
+{
+    step(5000, 30 * KMH, 100 * KMH);
+    step_without_target();
+    step_without_target();
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    TEST_ASSERT_EQUAL_UINT8(55, radar.brake_pct);
+    step_without_target();
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+    TEST_ASSERT_EQUAL_UINT8(0, radar.brake_pct);
+}
+
+static void test_lost_link_never_lowers_the_brake(void)
+{
+    step(5000, 60 * KMH, 100 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(82, radar.brake_pct);
+    radar_lose(60);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_FAULT, radar.state);
+    TEST_ASSERT_EQUAL_UINT8(82, radar.brake_pct);
+    TEST_ASSERT_TRUE(radar_cuts_throttle());
+
+    radar_init();
+    radar_lose(60);
+    TEST_ASSERT_EQUAL_UINT8(60, radar.brake_pct);
+}
+
+static void test_fault_ends_in_what_the_target_asks_for(void)
+{
+    radar_lose(60);
+    step(5000, 30 * KMH, 100 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    radar_lose(60);
+    step(20000, 30 * KMH, 100 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+}
+
+static void expect_refused(void)
+{
+    struct radar before;
+
+    before = radar;
+    TEST_ASSERT_FALSE(radar_read());
+    TEST_ASSERT_EQUAL_UINT16(before.range_cm, radar.range_cm);
+    TEST_ASSERT_EQUAL_INT16(before.closing_dkmh, radar.closing_dkmh);
+    TEST_ASSERT_EQUAL_UINT16(before.own_dkmh, radar.own_dkmh);
+    TEST_ASSERT_EQUAL_UINT8(before.flags, radar.flags);
+}
+
+static void test_values_out_of_range_are_refused_and_change_nothing(void)
+{
+    const uint8_t flags = RADAR_TARGET | RADAR_SIGNED;
+
+    step(5000, 30 * KMH, 100 * KMH);
+    send(45000, 55000, 0, SAFE_SPEED_MAX_DKMH + 1, 0, flags);
+    expect_refused();
+    send(45000, 55000, LANE_AZIMUTH_MAX + 1, 1000, 0, flags);
+    expect_refused();
+    send(45000, 55000, -LANE_AZIMUTH_MAX - 1, 1000, 0, flags);
+    expect_refused();
+    send(45000, 55000, 0, 1000, INT16_MIN, flags);
+    expect_refused();
+    send(45000, 55000, 0, 1000, 0, flags | 4);
+    expect_refused();
+    send(600000, 600000, 0, 1000, 0, flags);
+    expect_refused();
+    send(10000, 141073, 0, 1000, 0, flags);
+    expect_refused();
+    send(-10000, 9999, 0, 1000, 0, flags);
+    expect_refused();
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_published_spot_values);
+    RUN_TEST(test_levels_are_those_of_the_division_everywhere);
+    RUN_TEST(test_driver_has_control_outside_the_gate);
+    RUN_TEST(test_inside_the_gate_the_table_brakes);
+    RUN_TEST(test_it_brakes_on_beyond_the_gate_until_the_closing_speed_is_gone);
+    RUN_TEST(test_target_that_draws_away_is_left_alone);
+    RUN_TEST(test_negative_beat_brakes_hardest);
+    RUN_TEST(test_beats_without_a_sign_are_refused_where_it_matters);
+    RUN_TEST(test_target_in_the_next_lane_of_a_bend_is_left_alone);
+    RUN_TEST(test_target_out_of_sight_holds_the_brake_for_two_frames);
+    RUN_TEST(test_lost_link_never_lowers_the_brake);
+    RUN_TEST(test_fault_ends_in_what_the_target_asks_for);
+    RUN_TEST(test_values_out_of_range_are_refused_and_change_nothing);
+    return UNITY_END();
+}
