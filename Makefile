@@ -50,12 +50,17 @@ FISTAB_SRC := $(wildcard tools/fistab/*.c) $(COMMON_SRC)
 DRIVE_SRC  := $(wildcard tools/drive/*.c) $(COMMON_SRC)
 DRIVE_LIBS := -linih -lcjson
 
-tools: build/fistab build/drive
+tools: build/fistab build/drive build/canary.ihx
 
 build/fistab: $(FISTAB_SRC:%.c=build/host/%.o)
 	$(Q)$(CC) $(CFLAGS) $^ -lm -o $@
 build/drive: $(DRIVE_SRC:%.c=build/host/%.o)
 	$(Q)$(CC) $(CFLAGS) $^ $(DRIVE_LIBS) -lm -o $@
+# The image that drive runs to see whether a simulator keeps time.
+build/canary.ihx: tools/drive/canary/image.c
+	@mkdir -p build/canary
+	$(Q)sdcc -mmcs51 --std-c11 --Werror $< -o build/canary/canary.ihx
+	$(Q)mv build/canary/canary.ihx $@
 build/host/%.o: %.c | build/boards.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(HOST_FLAGS) -c $< -o $@

@@ -1,0 +1,65 @@
+/* The plant: a car with a brake on a lane, and the car ahead of it. Between two changes of the
+ * brake's demand the motion is integrated in closed form, so neither the step nor the simulator's
+ * quantum moves an outcome; only the driver model looks at the speed once a step. */
+#ifndef FUZZY51_CAR_H
+#define FUZZY51_CAR_H
+
+#include "scenario.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { CAR_DEMANDS = 256 };
+
+/* What the run has come to so far. Times are seconds of the scenario, INFINITY until it happens. */
+struct car_record {
+    bool impact;
+    double impact_s, impact_mps; /* closing speed at contact */
+    double min_gap_m;            /* INFINITY: never anything ahead */
+    double rest_s, rest_gap_m;   /* when and where it last came to rest */
+    double first_rest_s;         /* first rest at or after event_s */
+    double peak_decel_mps2, peak_jerk_mps3;
+    double square_mps3; /* integral of the acceleration's square */
+    double stuck_s;     /* at rest while the car ahead moves */
+    double still_s;     /* both at rest since; INFINITY: not */
+};
+
+struct car {
+    struct ego ego;
+    struct lead lead;
+    double event_s;
+    int64_t now_ns, step_ns;
+    double x_m, v_mps;    /* the front of the ego car */
+    double brake_mps2;    /* deceleration of the brake now */
+    double accel_mps2;    /* of the car now */
+    double demand_pct;    /* at the pins now */
+    double acting_pct;    /* the demand of a dead time ago */
+    double lead_origin_m; /* where the lead's own path begins on the lane */
+    bool lead_there, lead_placed;
+    struct {
+        int64_t at_ns;
+        double percent;
+    } demands[CAR_DEMANDS]; /* on their way through the dead time */
+    int first_demand, demand_count;
+    struct car_record record;
+};
+
+/* The world at t = 0, before the controller's first trigger; STEP_NS is the longest step. */
+void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns);
+
+/* Lets the world run to T_NS, or to the impact: then it stands for ever. */
+void car_advance(struct car *car, int64_t t_ns);
+
+/* The pins demand PERCENT of the brake from T_NS on; advances to there. */
+void car_demand(struct car *car, int64_t t_ns, double percent);
+
+/* Gap to the car ahead, m; INFINITY when there is none. */
+double car_gap_m(const struct car *car);
+
+/* Speed of the car ahead, m/s; 0 when there is none. */
+double car_lead_mps(const struct car *car);
+
+/* Distance that the lead has covered after T_S seconds of its speed profile, and its speed then. */
+double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps);
+
+#endif

@@ -1,0 +1,325 @@
+/* drive: runs a controller's real image in the simulator, in a closed loop with a modelled car. */
+#include "board.h"
+#include "canary.h"
+#include "cpu.h"
+#include "diag.h"
+#include "list.h"
+#include "live.h"
+#include "run.h"
+#include "s51.h"
+#include "trace.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_SETTINGS = 32 };
+
+const char *argp_program_version = "fuzzy51 1.0";
+
+enum option_key {
+    OPT_HEX = 256,
+    OPT_BOARD,
+    OPT_SCENARIO,
+    OPT_CSV,
+    OPT_VCD,
+    OPT_JSON,
+    OPT_LIVE,
+    OPT_UART,
+    OPT_QUANTUM,
+    OPT_STEP,
+    OPT_SEED,
+    OPT_SET,
+    OPT_BRIEF,
+    OPT_STATS
+};
+
+static const struct argp_option options[] = {
+    {"hex", OPT_HEX, "FILE", 0, "the controller's image, Intel HEX", 1},
+    {"board", OPT_BOARD, "NAME", 0, "the board that it was built for", 1},
+    {"scenario", OPT_SCENARIO, "FILE", 0, "what happens on the road, and what must come of it", 1},
+    {"set", OPT_SET, "SECTION.KEY=VALUE", 0, "replaces a value of the scenario; may be repeated",
+     1},
+    {"csv", OPT_CSV, "FILE", 0, "writes one line every 10 ms", 2},
+    {"vcd", OPT_VCD, "FILE", 0, "writes pins and quantities for GTKWave", 2},
+    {"json", OPT_JSON, "FILE", 0, "writes the outcome and all series", 2},
+    {"uart", OPT_UART, "FILE", 0, "writes what the controller said", 2},
+    {"live", OPT_LIVE, NULL, 0, "draws the road while it runs", 2},
+    {"brief", OPT_BRIEF, NULL, 0, "prints test lines only: PLACE:LINE:NAME:PASS or FAIL", 2},
+    {"stats", OPT_STATS, NULL, 0, "prints how long the run took", 2},
+    {"quantum-us", OPT_QUANTUM, "N", 0, "longest time between two syncs, 10..400 (400)", 3},
+    {"step-us", OPT_STEP, "N", 0, "longest step of the plant, 10..10000 (1000)", 3},
+    {"seed", OPT_SEED, "N", 0, "of the noise (the scenario's)", 3},
+    {0},
+};
+
+struct arguments {
+    const char *hex, *board, *scenario;
+    struct trace_paths paths;
+    bool live, brief, stats, has_seed;
+    int quantum_us, step_us;
+    unsigned long seed;
+    char *settings[MAX_SETTINGS];
+    int setting_count;
+    char *words[2];
+    int word_count;
+};
+
+static long parse_count(struct argp_state *state, const char *option, const char *text, long low,
+                        long high)
+{
+    char *end;
+    long value;
+
+    errno = 0;
+    value = strtol(text, &end, 10);
+    if (errno != 0 || end == text || *end != '\0' || value < low || value > high)
+        argp_error(state, "--%s=%s: give a whole number in %ld..%ld", option, text, low, high);
+    return value;
+}
+
+static error_t take_option(int key, char *text, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+
+    switch (key) {
+    case OPT_HEX:
+        arguments->hex = text;
+        break;
+    case OPT_BOARD:
+        arguments->board = text;
+        break;
+    case OPT_SCENARIO:
+        arguments->scenario = text;
+        break;
+    case OPT_CSV:
+        arguments->paths.csv = text;
+        break;
+    case OPT_VCD:
+        arguments->paths.vcd = text;
+        break;
+    case OPT_JSON:
+        arguments->paths.json = text;
+        break;
+    case OPT_UART:
+        arguments->paths.uart = text;
+        break;
+    case OPT_LIVE:
+        arguments->live = true;
+        break;
+    case OPT_BRIEF:
+        arguments->brief = true;
+        break;
+    case OPT_STATS:
+        arguments->stats = true;
+        break;
+    case OPT_QUANTUM:
+        arguments->quantum_us = (int)parse_count(state, "quantum-us", text, 10, RUN_QUANTUM_US);
+        break;
+    case OPT_STEP:
+        arguments->step_us = (int)parse_count(state, "step-us", text, 10, 10000);
+        break;
+    case OPT_SEED:
+        arguments->seed = (unsigned long)parse_count(state, "seed", text, 0, 4294967295);
+        arguments->has_seed = true;
+        break;
+    case OPT_SET:
+        if (arguments->setting_count == MAX_SETTINGS)
+            argp_error(state, "more than %d --set; write a scenario file", MAX_SETTINGS);
+        arguments->settings[arguments->setting_count++] = text;
+        break;
+    case ARGP_KEY_ARG:
+        if (arguments->word_count == 2)
+            argp_error(state, "too many arguments");
+        arguments->words[arguments->word_count++] = text;
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+static const struct argp parser = {
+    .options = options,
+    .parser = take_option,
+    .args_doc = "run --hex=FILE --board=NAME --scenario=FILE\nlist DIR\ncanary",
+    .doc = "Runs a controller's real image in the simulator s51, in a closed loop with a modelled "
+           "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
+           "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
+           "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, or the "
+           "simulator failed.",
+};
+
+/* --- what came of it ----------------------------------------------------------------------- */
+
+static const char *stem(const char *path)
+{
+    static char name[128];
+    const char *base = strrchr(path, '/');
+
+    snprintf(name, sizeof name, "%s", base != NULL ? base + 1 : path);
+    if (strrchr(name, '.') != NULL)
+        *strrchr(name, '.') = '\0';
+    return name;
+}
+
+/* The run in one sentence or two. */
+static void print_summary(const struct run *run, const struct scenario *scenario)
+{
+    const double *value = run->outcome.values;
+
+    printf("%s: ", scenario->title);
+    if (value[METRIC_RESETS] > 0)
+        printf("the watchdog reset the controller after %.2f s\n", (double)run->duration_ns * 1e-9);
+    else if (value[METRIC_IMPACT] > 0)
+        printf("impact at %.2f m/s after %.2f s\n", value[METRIC_IMPACT_MPS],
+               (double)run->duration_ns * 1e-9);
+    else if (value[METRIC_FINAL_SPEED] > 0)
+        printf("drives at %.2f m/s after %.2f s\n", value[METRIC_FINAL_SPEED],
+               (double)run->duration_ns * 1e-9);
+    else if (isfinite(value[METRIC_STOP_GAP]))
+        printf("stopped %.2f m behind the car ahead after %.2f s\n", value[METRIC_STOP_GAP],
+               value[METRIC_STOP_WITHIN] + scenario->event_s);
+    else
+        printf("stopped with nothing ahead\n");
+    printf("  peak deceleration %.2f m/s2, peak jerk %.1f m/s3, most brake %.0f %%\n",
+           value[METRIC_PEAK_DECEL], value[METRIC_PEAK_JERK], value[METRIC_MAX_BRAKE]);
+}
+
+static bool judge(const struct expectation *expectation, const struct outcome *outcome,
+                  const struct arguments *arguments)
+{
+    bool holds = expect_holds(expectation, outcome);
+    char expected[EXPECT_VALUE + 64], value[EXPECT_VALUE + 64];
+
+    expect_format(expectation, expected, sizeof expected);
+    expect_value(expectation->metric, outcome, value, sizeof value);
+    if (!arguments->brief)
+        printf("  %s  %-36s %s\n", holds ? "holds" : "FAILS", expected, value);
+    else if (holds)
+        printf("%s:%d:%s %s %s:PASS\n", arguments->scenario, expectation->line, arguments->board,
+               stem(arguments->scenario), expected);
+    else
+        printf("%s:%d:%s %s %s:FAIL: it is %s\n", arguments->scenario, expectation->line,
+               arguments->board, stem(arguments->scenario), expected, value);
+    return holds;
+}
+
+/* A run is judged by `impact = none` and `resets = 0` even when its file does not say so. */
+static void add_understood(struct scenario *scenario)
+{
+    static const struct expectation understood[] = {
+        {.metric = METRIC_IMPACT, .op = '=', .text = "none"},
+        {.metric = METRIC_RESETS, .op = '=', .text = "0", .limit = 0},
+    };
+
+    for (size_t k = 0; k < sizeof understood / sizeof understood[0]; k++) {
+        bool stated = false;
+
+        for (int i = 0; i < scenario->expect_count; i++)
+            stated |= scenario->expect[i].metric == understood[k].metric;
+        if (!stated && scenario->expect_count < EXPECT_MAX)
+            scenario->expect[scenario->expect_count++] = understood[k];
+    }
+}
+
+static int report(const struct run *run, const struct scenario *scenario,
+                  const struct arguments *arguments)
+{
+    int status = EXIT_FINE;
+
+    if (!run->triggered)
+        return diag_error(arguments->hex, 0,
+                          "no trigger pulse within %d s; does the image fit board %s, and does its "
+                          "self-test pass? It said: '%.80s'",
+                          RUN_BOOT_S, arguments->board, run->telemetry.log);
+    if (!arguments->brief)
+        print_summary(run, scenario);
+    for (int i = 0; i < scenario->expect_count; i++)
+        if (!judge(&scenario->expect[i], &run->outcome, arguments))
+            status = EXIT_INPUT;
+    if (arguments->stats)
+        printf("  %.2f s simulated in %.2f s: %.2f times real time, %lld syncs\n",
+               (double)(run->boot_ns + run->duration_ns) * 1e-9, run->wall_s,
+               (double)(run->boot_ns + run->duration_ns) * 1e-9 / run->wall_s,
+               (long long)run->syncs);
+    return status;
+}
+
+/* --- commands ------------------------------------------------------------------------------ */
+
+static int run_and_report(const struct run_setup *setup, struct scenario *scenario,
+                          const struct arguments *arguments)
+{
+    struct trace trace;
+    struct live live;
+    struct run run;
+    struct run_observer observers[] = {{&trace, trace_pin, trace_row}, {&live, NULL, live_row}};
+    int status;
+
+    if (trace_open(&trace, &arguments->paths, &brake_world) != EXIT_FINE)
+        return EXIT_INPUT;
+    if (arguments->live)
+        live_begin(&live, scenario, &brake_world, stdout);
+    else
+        cpu_claim();
+    status = run_scenario(&run, setup, observers, arguments->live ? 2 : 1);
+    if (arguments->live)
+        live_end(&live);
+    if (status == EXIT_FINE) {
+        status = report(&run, scenario, arguments);
+        if (run.triggered && trace_commit(&trace, &run, setup) != EXIT_FINE)
+            status = EXIT_INPUT;
+    }
+    trace_abandon(&trace);
+    run_free(&run);
+    return status;
+}
+
+static int command_run(const struct arguments *arguments)
+{
+    struct scenario scenario;
+    struct run_setup setup = {.hex = arguments->hex,
+                              .scenario = &scenario,
+                              .quantum_us = arguments->quantum_us,
+                              .step_us = arguments->step_us};
+
+    if (arguments->hex == NULL || arguments->board == NULL || arguments->scenario == NULL) {
+        diag_error(NULL, 0, "run wants --hex, --board and --scenario; see drive --help");
+        return EXIT_USAGE;
+    }
+    setup.board = board_find(arguments->board);
+    if (setup.board == NULL) {
+        diag_error(NULL, 0, "no board '%s'; the boards are: %s", arguments->board, board_names());
+        return EXIT_USAGE;
+    }
+    if (scenario_read(&scenario, arguments->scenario, arguments->settings,
+                      arguments->setting_count) != EXIT_FINE)
+        return EXIT_INPUT;
+    add_understood(&scenario);
+    setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;
+    if (canary_check_version() != EXIT_FINE)
+        return EXIT_USAGE;
+    return run_and_report(&setup, &scenario, arguments);
+}
+
+int main(int argc, char **argv)
+{
+    struct arguments arguments = {.quantum_us = RUN_QUANTUM_US, .step_us = WORLD_STEP_NS / 1000};
+    const char *command;
+
+    argp_err_exit_status = EXIT_USAGE;
+    argp_parse(&parser, argc, argv, 0, NULL, &arguments);
+    s51_catch_signals();
+    command = arguments.word_count > 0 ? arguments.words[0] : "";
+    if (strcmp(command, "run") == 0 && arguments.word_count == 1)
+        return command_run(&arguments);
+    if (strcmp(command, "list") == 0 && arguments.word_count == 2)
+        return list_scenarios(arguments.words[1]);
+    if (strcmp(command, "canary") == 0 && arguments.word_count == 1)
+        return canary_run();
+    diag_error(NULL, 0, "say what to do: run, list DIR or canary; see drive --help");
+    return EXIT_USAGE;
+}

@@ -1,0 +1,336 @@
+#include "run.h"
+
+#include "diag.h"
+#include "pwm.h"
+#include "s51.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { INPUTS = BOARD_PINS - BOARD_OUTPUTS };
+
+struct loop {
+    struct run *run;
+    const struct run_setup *setup;
+    const struct world_class *class;
+    const struct run_observer *observers;
+    int observer_count;
+    struct s51 sim;
+    struct world *world;
+    bool levels[BOARD_OUTPUTS];
+    int64_t start_ns; /* of the scenario, in the simulator's time */
+    int64_t now_ns;   /* of the scenario */
+    bool sent;        /* the scenario's bytes for the serial line */
+    struct {
+        int64_t t_ns;
+        enum board_pin pin;
+        bool level;
+    } inputs[16]; /* since the last sync, still to be shown among the edges */
+    int input_count;
+};
+
+static int64_t ns_from_s(double time_s)
+{
+    return (int64_t)llround(time_s * 1e9);
+}
+
+static double wall_s(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+/* --- what the controller does -------------------------------------------------------------- */
+
+static void show_pin(const struct loop *loop, int64_t t_ns, enum board_pin pin, bool level)
+{
+    for (int i = 0; i < loop->observer_count; i++)
+        if (loop->observers[i].pin != NULL)
+            loop->observers[i].pin(loop->observers[i].user, t_ns, pin, level);
+}
+
+/* Shows the inputs until T_NS. */
+static void show_inputs(struct loop *loop, int64_t t_ns)
+{
+    int shown = 0;
+
+    while (shown < loop->input_count && loop->inputs[shown].t_ns <= t_ns) {
+        show_pin(loop, loop->inputs[shown].t_ns, loop->inputs[shown].pin,
+                 loop->inputs[shown].level);
+        shown++;
+    }
+    loop->input_count -= shown;
+    memmove(loop->inputs, loop->inputs + shown, (size_t)loop->input_count * sizeof loop->inputs[0]);
+}
+
+static void show_row(const struct loop *loop, int64_t t_ns)
+{
+    double values[WORLD_COLUMNS];
+
+    loop->class->values(loop->world, values);
+    for (int i = 0; i < loop->observer_count; i++)
+        if (loop->observers[i].row != NULL)
+            loop->observers[i].row(loop->observers[i].user, t_ns, values, &loop->run->telemetry);
+}
+
+static void start_world(struct loop *loop, int64_t start_ns)
+{
+    loop->run->triggered = true;
+    loop->run->boot_ns = loop->start_ns = start_ns;
+    loop->class->start(loop->world, loop->levels);
+    for (int pin = 0; pin < BOARD_OUTPUTS; pin++)
+        if (pin != PIN_TRIGGER)
+            show_pin(loop, 0, (enum board_pin)pin, loop->levels[pin]);
+    show_row(loop, 0);
+}
+
+/* Edges before the first trigger only set the scene. */
+static void take_edges(struct loop *loop)
+{
+    for (size_t i = 0; i < loop->sim.edge_count && !loop->sim.edges[i].after_reset; i++) {
+        const struct s51_edge *edge = &loop->sim.edges[i];
+
+        loop->levels[edge->pin] = edge->level;
+        if (!loop->run->triggered && edge->pin == PIN_TRIGGER && edge->level)
+            start_world(loop, edge->time_ns);
+        if (loop->run->triggered) {
+            int64_t t_ns = edge->time_ns - loop->start_ns;
+
+            show_inputs(loop, t_ns);
+            loop->class->pin_changed(loop->world, t_ns, (enum board_pin)edge->pin, edge->level);
+            show_pin(loop, t_ns, (enum board_pin)edge->pin, edge->level);
+        }
+    }
+}
+
+static void note_state(void *user, const struct telemetry *telemetry)
+{
+    struct loop *loop = user;
+    struct outcome *outcome = &loop->run->outcome;
+    const char *state = telemetry_value(telemetry, "state");
+    char word[TELEMETRY_FIELD_SIZE + 2];
+
+    if (state[0] == '\0' || !loop->run->triggered)
+        return;
+    loop->class->state_reported(loop->world, telemetry->line_ns, state);
+    snprintf(outcome->final_state, sizeof outcome->final_state, "%s", state);
+    snprintf(word, sizeof word, "%s ", state);
+    if (strstr(outcome->states, word) == NULL &&
+        strlen(outcome->states) + strlen(word) < sizeof outcome->states)
+        strcat(outcome->states, word);
+}
+
+static void take_uart(struct loop *loop)
+{
+    char bytes[512];
+    size_t got;
+
+    while ((got = s51_receive(&loop->sim, bytes, sizeof bytes)) > 0)
+        telemetry_take(&loop->run->telemetry, loop->now_ns, bytes, got, note_state, loop);
+}
+
+/* --- lockstep ----------------------------------------------------------------------------- */
+
+/* How far the simulator may run from NOW_NS on before the world must be asked again. */
+static int64_t next_sync_ns(const struct loop *loop, int64_t t_ns)
+{
+    /* The sensor's delay bounds the way; a shorter quantum shortens it. */
+    int64_t margin_ns = (RUN_QUANTUM_US + RUN_MARGIN_US - loop->setup->quantum_us) * 1000LL;
+    int64_t next_ns = loop->class->horizon_ns(loop->world, loop->now_ns) - margin_ns;
+    int64_t mark_ns = loop->class->mark_ns(loop->world);
+
+    if (mark_ns < next_ns)
+        next_ns = mark_ns;
+    if (t_ns < next_ns)
+        next_ns = t_ns;
+    return s51_grid_ns(&loop->sim, loop->start_ns + next_ns);
+}
+
+/* Hands the inputs that are due until UNTIL_NS to the simulator. */
+static void take_inputs(struct loop *loop, int64_t until_ns)
+{
+    int64_t t_ns;
+    enum board_pin pin;
+    bool level;
+
+    while (loop->class->next_input(loop->world, until_ns, &t_ns, &pin, &level)) {
+        s51_set_pin(&loop->sim, loop->start_ns + t_ns, (int)pin - BOARD_OUTPUTS, level);
+        loop->inputs[loop->input_count].t_ns = t_ns;
+        loop->inputs[loop->input_count].pin = pin;
+        loop->inputs[loop->input_count++].level = level;
+    }
+}
+
+/* Runs the simulator to T_NS of the scenario. The world is advanced only to the controller's edges
+ * and to times that are its own, so that the quantum leaves no trace in its numbers. */
+static enum s51_status run_to(struct loop *loop, int64_t t_ns)
+{
+    while (loop->now_ns < t_ns) {
+        int64_t sync_ns = next_sync_ns(loop, t_ns);
+        enum s51_status status;
+
+        take_inputs(loop, sync_ns - loop->start_ns);
+        status = s51_run_to(&loop->sim, sync_ns);
+        loop->run->syncs++;
+        take_edges(loop);
+        show_inputs(loop, INT64_MAX);
+        if (status != S51_RAN)
+            return status;
+        loop->now_ns = sync_ns - loop->start_ns;
+        if (loop->class->mark_ns(loop->world) <= loop->now_ns)
+            loop->class->advance(loop->world, loop->class->mark_ns(loop->world));
+    }
+    loop->class->advance(loop->world, t_ns);
+    return S51_RAN;
+}
+
+static enum s51_status boot(struct loop *loop)
+{
+    int64_t t_ns = 0;
+
+    while (!loop->run->triggered && t_ns < RUN_BOOT_S * 1000000000LL) {
+        enum s51_status status;
+
+        t_ns += (int64_t)loop->setup->quantum_us * 1000;
+        status = s51_run_to(&loop->sim, t_ns);
+        loop->run->syncs++;
+        take_edges(loop);
+        if (status != S51_RAN)
+            return status;
+    }
+    loop->now_ns = loop->sim.sync_ns - loop->start_ns;
+    return S51_RAN;
+}
+
+static void send_bytes(struct loop *loop, int64_t t_ns)
+{
+    const struct scenario *scenario = loop->setup->scenario;
+
+    if (loop->sent || scenario->uart.at_s < 0 || t_ns < ns_from_s(scenario->uart.at_s))
+        return;
+    s51_send(&loop->sim, scenario->uart.send, strlen(scenario->uart.send));
+    loop->sent = true;
+}
+
+static enum s51_status play(struct loop *loop)
+{
+    int64_t end_ns = ns_from_s(loop->setup->scenario->duration_s);
+    int64_t t_ns = 0;
+    enum s51_status status = S51_RAN;
+
+    while (t_ns < end_ns && !loop->class->is_over(loop->world)) {
+        send_bytes(loop, t_ns);
+        t_ns += WORLD_ROW_NS;
+        status = run_to(loop, t_ns);
+        loop->run->duration_ns = t_ns;
+        take_uart(loop);
+        if (status != S51_RAN)
+            break;
+        show_row(loop, t_ns);
+    }
+    return status;
+}
+
+/* --- after a reset by the watchdog ---------------------------------------------------------- */
+
+/* The least that the pins demand while the controller starts again. A pin that says nothing yet is
+ * high, as reset leaves it: full brake. */
+static double lowest_demand_pct(const struct s51 *sim)
+{
+    bool stop = true;
+    struct pwm pwm;
+    double lowest = 100;
+
+    pwm_init(&pwm, 0, true);
+    for (size_t i = 0; i < sim->edge_count; i++) {
+        const struct s51_edge *edge = &sim->edges[i];
+
+        if (!edge->after_reset)
+            continue;
+        if (edge->time_ns > pwm_steady_ns(&pwm))
+            pwm_settle(&pwm);
+        if (!stop)
+            lowest = fmin(lowest, pwm.duty_pct);
+        if (edge->pin == PIN_PWM)
+            pwm_edge(&pwm, edge->time_ns, edge->level);
+        else if (edge->pin == PIN_STOP)
+            stop = edge->level;
+    }
+    if (sim->last_ns > pwm_steady_ns(&pwm))
+        pwm_settle(&pwm);
+    return stop ? lowest : fmin(lowest, pwm.duty_pct);
+}
+
+static enum s51_status watch_reset(struct loop *loop)
+{
+    struct outcome *outcome = &loop->run->outcome;
+    enum s51_status status = s51_run_after_reset(&loop->sim, RUN_RESET_WATCH_MS * 1000000LL);
+
+    outcome->values[METRIC_RESETS] = 1;
+    outcome->values[METRIC_RESET_BRAKE] = lowest_demand_pct(&loop->sim);
+    take_uart(loop);
+    return status;
+}
+
+/* --- outside ------------------------------------------------------------------------------ */
+
+static int start_simulator(struct loop *loop)
+{
+    const struct board *board = loop->setup->board;
+    const struct s51_setup setup = {
+        .hex = loop->setup->hex,
+        .type = board->s51_type,
+        .clk_hz = board->clk_hz,
+        .watch = board->pins,
+        .watch_count = BOARD_OUTPUTS,
+        .drive = board->pins + BOARD_OUTPUTS,
+        .drive_count = INPUTS,
+        .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS), /* echo low, override not held */
+        .uart_in = loop->setup->scenario->uart.at_s >= 0,
+    };
+
+    return s51_start(&loop->sim, &setup);
+}
+
+int run_scenario(struct run *run, const struct run_setup *setup,
+                 const struct run_observer *observers, int observer_count)
+{
+    struct loop loop = {.run = run,
+                        .setup = setup,
+                        .class = &brake_world,
+                        .observers = observers,
+                        .observer_count = observer_count};
+    double begin_s = wall_s();
+    enum s51_status status;
+
+    memset(run, 0, sizeof *run);
+    run->outcome.values[METRIC_RESET_BRAKE] = INFINITY;
+    telemetry_init(&run->telemetry);
+    if (start_simulator(&loop) != EXIT_FINE)
+        return EXIT_USAGE;
+    loop.world = loop.class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
+    memset(loop.levels, true, sizeof loop.levels);
+    status = boot(&loop);
+    if (status == S51_RAN && run->triggered)
+        status = play(&loop);
+    else if (status == S51_RAN)
+        take_uart(&loop);
+    loop.class->measure(loop.world, run->duration_ns, &run->outcome);
+    if (status == S51_RESET)
+        status = watch_reset(&loop);
+    run->outcome.uart = run->telemetry.log;
+    loop.class->destroy(loop.world);
+    s51_stop(&loop.sim);
+    run->wall_s = wall_s() - begin_s;
+    return status == S51_FAILED ? EXIT_USAGE : EXIT_FINE;
+}
+
+void run_free(struct run *run)
+{
+    telemetry_free(&run->telemetry);
+}

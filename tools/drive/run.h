@@ -1,0 +1,56 @@
+/* One scenario, from the controller's reset to the judged outcome: the simulator and the world in
+ * lockstep. */
+#ifndef FUZZY51_RUN_H
+#define FUZZY51_RUN_H
+
+#include "board.h"
+#include "expect.h"
+#include "scenario.h"
+#include "telemetry.h"
+#include "world.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+    RUN_QUANTUM_US = 400, /* longest time between two syncs while the sensor listens */
+    RUN_MARGIN_US = 50,   /* kept between a sync and the first event that may follow from it */
+    RUN_BOOT_S = 2,       /* the first trigger must come until then */
+    RUN_RESET_WATCH_MS = 500
+};
+
+struct run_setup {
+    const char *hex;
+    const struct board *board;
+    const struct scenario *scenario;
+    uint64_t seed;
+    int quantum_us;
+    int step_us;
+};
+
+/* Who looks on; each function may be NULL. Times are of the scenario. */
+struct run_observer {
+    void *user;
+    void (*pin)(void *user, int64_t t_ns, enum board_pin pin, bool level);
+    void (*row)(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
+                const struct telemetry *telemetry);
+};
+
+struct run {
+    struct outcome outcome;
+    struct telemetry telemetry;
+    int64_t boot_ns;     /* reset to first trigger */
+    int64_t duration_ns; /* of the scenario */
+    int64_t syncs;
+    double wall_s;
+    bool triggered; /* the controller came as far as its first trigger */
+};
+
+/* Runs the scenario. Returns EXIT_FINE when it was run (whatever came of it), EXIT_USAGE after a
+ * message when the simulator failed. Call run_free in both cases. */
+int run_scenario(struct run *run, const struct run_setup *setup,
+                 const struct run_observer *observers, int observer_count);
+
+void run_free(struct run *run);
+
+#endif
