@@ -80,7 +80,7 @@ build/boards.h: $(wildcard firmware/boards/*.mk)
 
 # --- controllers ------------------------------------------------------------------------------
 # Of each: its table, how fistab makes that (not said: as the board encodes it), its modules of core
-# and of mcu.
+# and of mcu, its main (not said: the one of its name), its flags.
 brake_TABLE := $(TABLE)
 brake_CORE  := brake closing fixed lamp lut range selftest telemetry
 brake_MCU   := start pwm echo uart
@@ -92,6 +92,21 @@ radar_CORE  := radar fmcw lane safe
 park_TABLE  := tables/park.fis
 park_GRID   := --grid=256 --levels=255
 park_CORE   := park cordic
+
+gap_TABLE   := tables/gap.fis
+gap_GRID    := --nodes --grid=33x33 --levels=200
+gap_CORE    := gap
+
+follow_TABLE := tables/follow.fis
+follow_GRID  := --grid=5x3x3 --levels=4
+follow_CORE  := follow
+
+# The same with the rules as published, for comparison: most approaches end in contact.
+follow_paper_TABLE := tables/follow_paper.fis
+follow_paper_GRID  := $(follow_GRID)
+follow_paper_CORE  := follow
+follow_paper_MAIN  := follow
+follow_paper_FLAGS := -DFOLLOW_AS_PUBLISHED
 
 SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
 
@@ -119,8 +134,8 @@ $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	$$(Q)build/fistab table $$< --name=lut $(or $($(1)_GRID),--encoding=$(ENCODING)) -o $$@
 $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(SDCC) $(SDCC_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
-$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,apps/$(1) $$($(1)_MCU:%=mcu/%) $$($(1)_CORE:%=core/%))
+	$$(Q)$(SDCC) $(SDCC_FLAGS) $$($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
+$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,apps/$$(or $$($(1)_MAIN),$(1)) $$($(1)_MCU:%=mcu/%) $$($(1)_CORE:%=core/%))
 	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
 	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
 endef
@@ -163,7 +178,7 @@ UNIT_TESTS := $(patsubst tests/%.c,build/%,$(wildcard tests/unit/test_*.c))
 CHIP_TESTS := $(UNIT_TESTS:build/unit/%=build/chip/%.ihx)
 UNIT_FLAGS := -DCLK_HZ=12000000UL -I$(UNITY) -Ifirmware/core -Ibuild/unit
 # The test of a controller whose #error wants its own table takes it, and lut.c, in as source.
-UNIT_TABLES := radar park
+UNIT_TABLES := radar park gap follow follow_paper
 CORE_SRC   := $(filter-out $(UNIT_TABLES:%=firmware/core/%.c),$(wildcard firmware/core/*.c))
 SDCC_UNIT  := sdcc -mmcs51 --std-c11 --model-large --stack-auto
 CHIP_FLAGS := -DUNITY_INT_WIDTH=16 -DUNITY_LONG_WIDTH=32 -DUNITY_POINTER_WIDTH=16 \

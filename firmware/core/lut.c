@@ -1,9 +1,10 @@
 /* Table look-up and its check sum. */
 #define LUT_DATA
 #include "lut.h"
+#include "fixed.h"
 
-#if LUT_INPUTS > 2 || LUT_OUTPUTS > 1
-#error "lut_at serves tables of one or two inputs and one output"
+#if LUT_INPUTS > 3 || LUT_OUTPUTS > 2 || (LUT_PACKED && (LUT_INPUTS > 2 || LUT_OUTPUTS > 1))
+#error "at most three inputs and two outputs; packed: two inputs and one output"
 #endif
 
 #if LUT_PACKED
@@ -67,6 +68,20 @@ uint8_t lut_at(uint8_t row, uint8_t col)
     return lut_out1[row];
 }
 
+#elif LUT_INPUTS == 3
+
+uint8_t lut_at3(uint8_t first, uint8_t second, uint8_t third)
+{
+    return lut_out1[first][second][third];
+}
+
+#if LUT_OUTPUTS == 2
+uint8_t lut2_at3(uint8_t first, uint8_t second, uint8_t third)
+{
+    return lut_out2[first][second][third];
+}
+#endif
+
 #else
 
 uint8_t lut_at(uint8_t row, uint8_t col)
@@ -77,14 +92,43 @@ uint8_t lut_at(uint8_t row, uint8_t col)
 
 #endif
 
+#if LUT_IS_NODES && LUT_INPUTS == 2
+/* From `low` to `high`, rounded down. */
+static uint8_t between(uint8_t low, uint8_t high, uint8_t part_q8)
+{
+    if (high >= low)
+        return (uint8_t)(low + (uint8_t)(mul_u8((uint8_t)(high - low), part_q8) >> 8));
+    return (uint8_t)(low - (uint8_t)((mul_u8((uint8_t)(low - high), part_q8) + 255U) >> 8));
+}
+
+uint8_t lut_between(uint16_t row_q8, uint16_t col_q8)
+{
+    uint8_t row = (uint8_t)(row_q8 >> 8), col = (uint8_t)(col_q8 >> 8);
+    uint8_t part_q8 = (uint8_t)col_q8;
+    uint8_t near = between(lut_at(row, col), lut_at(row, (uint8_t)(col + 1)), part_q8);
+
+    row++;
+    return between(near, between(lut_at(row, col), lut_at(row, (uint8_t)(col + 1)), part_q8),
+                   (uint8_t)row_q8);
+}
+#endif
+
 uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
 {
     const uint8_t __code *byte = (const uint8_t __code *)lut_out1 + offset;
     uint8_t high = (uint8_t)(crc >> 8), low = (uint8_t)crc;
 
+#if LUT_OUTPUTS == 2
+    if (offset >= sizeof lut_out1)
+        byte = (const uint8_t __code *)lut_out2 + (uint16_t)(offset - sizeof lut_out1);
+#endif
     do {
         CRC16_ADD(high, low, *byte);
         byte++;
+#if LUT_OUTPUTS == 2
+        if (byte == (const uint8_t __code *)lut_out1 + sizeof lut_out1)
+            byte = (const uint8_t __code *)lut_out2;
+#endif
     } while (--count != 0);
     return (uint16_t)((uint16_t)(high << 8) | low);
 }

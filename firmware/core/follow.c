@@ -1,0 +1,135 @@
+/* The follower's decision: thresholds to cells, cells to commands. */
+#include "follow.h"
+#include "cc51.h"
+#include "frame.h"
+#include "lut.h"
+
+#define GAP_END_MM 10000U /* of the table */
+
+/* Levels of both outputs run over -2..2, so 2 is 0 and one level is 1. */
+#define LEVEL_ZERO_X2 4
+#if LUT_LEVELS != 4 || LUT_IN1_CELLS != 5 || LUT_IN2_CELLS != 3 || LUT_IN3_CELLS != 3
+#error "follow wants tables/follow.fis in 5x3x3 cells with 4 levels"
+#endif
+
+static const int16_t __code gap_mm_at[] = {2000, 4000, 6000, 8000};
+static const int16_t __code closing_mmps_at[] = {-1000, 1000};
+static const int16_t __code to_change_mm_at[] = {-50, 50};
+
+struct follow follow;
+
+/* The cell of a value, and in `last_cell` the one above if it is on the threshold between both. */
+static uint8_t last_cell;
+
+static uint8_t first_cell(int16_t value, const int16_t __code *threshold, uint8_t thresholds)
+{
+    uint8_t cell = 0;
+
+    while (cell < thresholds && value > threshold[cell])
+        cell++;
+    last_cell = cell;
+    if (cell < thresholds && value == threshold[cell])
+        last_cell++;
+    return cell;
+}
+#define FIRST_CELL(value, threshold)                                                               \
+    first_cell(value, threshold, sizeof threshold / sizeof threshold[0])
+
+void follow_look_up(void)
+{
+    int16_t gap_mm = (int16_t)(follow.gap_mm < GAP_END_MM ? follow.gap_mm : GAP_END_MM);
+    uint8_t gap_first = FIRST_CELL(gap_mm, gap_mm_at), gap_last = last_cell;
+    uint8_t closing_first =
+        FIRST_CELL((int16_t)(follow.own_mmps - follow.lead_mmps), closing_mmps_at);
+    uint8_t closing_last = last_cell;
+    uint8_t change_first = FIRST_CELL((int16_t)(gap_mm - FOLLOW_CHANGE_MM), to_change_mm_at);
+    uint8_t change_last = last_cell;
+    uint8_t command_least = LUT_LEVELS, command_most = 0, change_least = LUT_LEVELS, change_most = 0;
+    uint8_t gap, closing, change, level;
+
+    /* The mean of a row of maxima is the middle of its ends. */
+    for (gap = gap_first; gap <= gap_last; gap++) {
+        for (closing = closing_first; closing <= closing_last; closing++) {
+            for (change = change_first; change <= change_last; change++) {
+                level = lut_at3(gap, closing, change);
+                if (level < command_least)
+                    command_least = level;
+                if (level > command_most)
+                    command_most = level;
+                level = lut2_at3(gap, closing, change);
+                if (level < change_least)
+                    change_least = level;
+                if (level > change_most)
+                    change_most = level;
+            }
+        }
+    }
+    follow.command_x2 = (int8_t)(command_least + command_most - LEVEL_ZERO_X2);
+    follow.change_x2 = (uint8_t)(change_least + change_most - LEVEL_ZERO_X2);
+}
+
+static void set_outputs(void)
+{
+    follow.brake_pct = 0;
+    follow.throttle_us = FOLLOW_THROTTLE_CLOSED_US;
+    if (follow.command_x2 < 0)
+        follow.brake_pct = follow.command_x2 == -2 ? 100 : 50;
+    else if (follow.command_x2 > 0)
+        follow.throttle_us = follow.command_x2 == 2
+                                 ? FOLLOW_THROTTLE_FULL_US
+                                 : (FOLLOW_THROTTLE_CLOSED_US + FOLLOW_THROTTLE_FULL_US) / 2;
+}
+
+void follow_init(void)
+{
+    follow.state = FOLLOW_WAITING;
+    follow.command_x2 = -2;
+    follow.change_x2 = 0;
+    follow.asks_for_lane = false;
+    set_outputs();
+}
+
+bool follow_read(void)
+{
+    uint16_t gap_mm = frame_u16(0);
+    uint16_t own_mmps = frame_u16(2);
+    uint16_t lead_mmps = frame_u16(4);
+
+    if (gap_mm > FOLLOW_GAP_MAX_MM || own_mmps > FOLLOW_SPEED_MAX_MMPS ||
+        lead_mmps > FOLLOW_SPEED_MAX_MMPS || frame_body[6] > 1)
+        return false;
+    follow.gap_mm = gap_mm;
+    follow.own_mmps = own_mmps;
+    follow.lead_mmps = lead_mmps;
+    follow.lane_is_taken = frame_body[6] != 0;
+    return true;
+}
+
+void follow_decide(void)
+{
+    follow.state = FOLLOW_CONTROL;
+    follow_look_up();
+    follow.asks_for_lane = follow.change_x2 == 2;
+#if FOLLOW_YIELDS
+    if (follow.change_x2 != 0 && follow.lane_is_taken)
+        follow.command_x2 = -2;
+#endif
+    set_outputs();
+}
+
+void follow_lose(void)
+{
+    if (follow.state == FOLLOW_WAITING)
+        return;
+    follow.state = FOLLOW_FAULT;
+    follow.asks_for_lane = false;
+    follow.command_x2 = -2;
+    follow.change_x2 = 0;
+    set_outputs();
+    follow.brake_pct = FAULT_PCT;
+}
+
+bool follow_must_stop(void)
+{
+    return follow.state == FOLLOW_WAITING;
+}
