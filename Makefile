@@ -246,6 +246,12 @@ TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(C
 run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(foreach suite,$(TEST_SUITES),'$(suite)')
 
+# --- the demo ---------------------------------------------------------------------------------
+.PHONY: run-demo
+run-demo: tools
+	@$(MAKE) BOARD=stc89c516rd firmware
+	@tools/demo.sh stc89c516rd
+
 # --- targets that install what they need first -------------------------------------------------
 demo test:
 	@tools/deps.sh $@
