@@ -10,9 +10,10 @@ enum { VISITS_MAX = 100 << 20 }; /* of a rule in a zone: about a second */
 struct search {
     const struct fis *fis;
     const struct zones *zones;
-    int *last;      /* of each rule: the last input that it has a condition on; -1: none */
-    size_t **alive; /* for each input: the rules that may still fire */
-    struct box box; /* where to look, and on the way down where we are */
+    int *last;               /* of each rule: the last input that it has a condition on; -1: none */
+    size_t **alive;          /* for each input: the rules that may still fire */
+    struct box box;          /* where to look, and on the way down where we are */
+    const struct box *known; /* gaps inside of this one are not counted; NULL: none */
     struct gaps found;
     double size;    /* of found.box */
     size_t covered; /* boxes with a rule */
@@ -36,10 +37,21 @@ static double size_of(const struct search *s, const struct box *box, bool *is_th
     return size;
 }
 
+static bool is_inside(const struct search *s, const struct box *part, const struct box *whole)
+{
+    for (size_t i = 0; i < s->fis->inputs; i++)
+        if (part->from[i] < whole->from[i] || part->to[i] > whole->to[i])
+            return false;
+    return true;
+}
+
 static void note_gap(struct search *s)
 {
     bool is_thin;
     double size = size_of(s, &s->box, &is_thin);
+
+    if (s->known != NULL && is_inside(s, &s->box, s->known))
+        return;
 
     if (s->found.places++ == 0 || is_thin < s->found.is_thin ||
         (is_thin == s->found.is_thin && size > s->size)) {
@@ -133,8 +145,9 @@ static void look(struct search *s, const struct box *box, const bool *counts)
     descend(s, 0, alive);
 }
 
-/* Widens the box found, zone by zone, as long as there is no rule in the new part. */
-static void grow(struct search *s, const bool *counts)
+/* Widens the box found, zone by zone, as long as there is no rule in the new part; then counts the
+ * gaps beside it. */
+static void grow(struct search *s, const struct box *all, const bool *counts)
 {
     struct gaps found = s->found;
 
@@ -144,7 +157,7 @@ static void grow(struct search *s, const bool *counts)
 
         for (;;) {
             struct box slab = found.box;
-            if (up ? slab.to[input] + 1 == s->zones[input].count : slab.from[input] == 0)
+            if (up ? slab.to[input] == all->to[input] : slab.from[input] == 0)
                 break;
             slab.from[input] = slab.to[input] = up ? slab.to[input] + 1 : slab.from[input] - 1;
             look(s, &slab, counts);
@@ -156,6 +169,11 @@ static void grow(struct search *s, const bool *counts)
                 found.box.from[input]--;
         }
     }
+    s->known = &found.box;
+    s->found.places = 0;
+    look(s, all, counts);
+    found.places = 1 + s->found.places;
+    s->known = NULL;
     s->found = found;
 }
 
@@ -189,7 +207,7 @@ struct gaps gaps_find(const struct fis *fis, const struct zones *zones, const bo
     if (allocate(&s)) {
         look(&s, &all, counts);
         if (s.found.places > 0 && !s.found.incomplete)
-            grow(&s, counts);
+            grow(&s, &all, counts);
     } else {
         s.found.no_memory = true;
     }

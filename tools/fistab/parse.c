@@ -234,6 +234,19 @@ static int parse_parameters(struct parser *p, struct set *set)
     return EXIT_FINE;
 }
 
+/* What to write for a membership function that there is not; fuzzylite's have equals. */
+static const char *replacement(const char *kind)
+{
+    if (strcmp(kind, "rampmf") == 0)
+        return "linsmf for a ramp up, linzmf for one down";
+    if (strcmp(kind, "discretemf") == 0)
+        return "pwlmf, with the same numbers";
+    if (strcmp(kind, "rectmf") == 0)
+        return "trapmf,[a a b b]";
+    return "trimf, trapmf, gaussmf, gauss2mf, gbellmf, sigmf, dsigmf, psigmf, zmf, smf, pimf, "
+           "linzmf, linsmf, pwlmf, or for Sugeno outputs constant, linear";
+}
+
 /* MFk='name':'kind',[numbers], the key already read; NUMBER is k. */
 static int parse_set(struct parser *p, long number)
 {
@@ -259,12 +272,8 @@ static int parse_set(struct parser *p, long number)
         return EXIT_INPUT;
     set->kind = mf_kind_by_name(kind);
     if (set->kind == MF_UNKNOWN) {
-        FAIL(p,
-             "'%s' is not a membership function of MATLAB's that fistab knows; those are "
-             "trimf trapmf gaussmf gauss2mf gbellmf sigmf dsigmf psigmf zmf smf pimf linzmf linsmf "
-             "pwlmf, "
-             "Sugeno outputs constant linear",
-             kind);
+        FAIL(p, "'%s' is not a membership function of MATLAB's that fistab knows; use %s", kind,
+             replacement(kind));
         free(kind);
         return EXIT_INPUT;
     }

@@ -172,6 +172,11 @@ bool scan_word(struct scan *scan)
     return true;
 }
 
+static const char *rest(const struct scan *scan)
+{
+    return *scan->at != '\0' ? scan->at : "the end of the line";
+}
+
 int scan_number(struct scan *scan, double *number)
 {
     size_t length;
@@ -182,7 +187,7 @@ int scan_number(struct scan *scan, double *number)
     *number = strtod(scan->at, &end);
     if (length == 0 || end != scan->at + length || memchr(scan->at, 'x', length) != NULL ||
         memchr(scan->at, 'X', length) != NULL || isnan(*number))
-        return diag_error(scan->file, scan->line, "expected a number, found '%.40s'", scan->at);
+        return diag_error(scan->file, scan->line, "expected a number, found %.40s", rest(scan));
     if (isfinite(*number) && fabs(*number) > FIS_NUMBER_MAX)
         return diag_error(scan->file, scan->line, "'%.*s' is beyond the limit of %g", (int)length,
                           scan->at, FIS_NUMBER_MAX);
@@ -198,8 +203,8 @@ int scan_quoted(struct scan *scan, char **string)
     skip_blanks(scan);
     quote = *scan->at;
     if (quote != '\'' && quote != '"')
-        return diag_error(scan->file, scan->line, "expected a name in quotes, found '%.40s'",
-                          scan->at);
+        return diag_error(scan->file, scan->line, "expected a name in quotes, found %.40s",
+                          rest(scan));
     *string = out = malloc(strlen(scan->at));
     if (out == NULL)
         return diag_error(scan->file, scan->line, "out of memory");

@@ -75,12 +75,12 @@ static int sample_cell(struct table *table, struct engine *engine, size_t cell)
 
         if (!engine_fired(engine, o))
             return diag_error(
-                fis->file, 0,
+                fis->file, output->line,
                 "(rule_gap) no rule for '%s' fires at %s; a table has no holes, add a rule",
                 output->name, point_text(fis, x, buffer, sizeof buffer));
         if (levels < -1e-9 || levels > table->options.levels + 1e-9)
             return diag_error(
-                fis->file, 0,
+                fis->file, output->line,
                 "(output_range) '%s' is %.6g at %s, outside its range of %g to %g; widen the range",
                 output->name, y[o], point_text(fis, x, buffer, sizeof buffer), output->min,
                 output->max);

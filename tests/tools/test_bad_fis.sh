@@ -1,0 +1,48 @@
+#!/bin/bash
+# Every tests/bad/*.fis says what it is there for: `% expect: LINE: error: text` in its first line. check must
+# say that, exit 1 and print nothing else on stdout; table, for errors, must too and write no file.
+set -u
+out=build/tests/bad_fis
+mkdir -p "$out"
+failed=0
+
+report() { # NAME, what is wrong or nothing
+    if [ -z "$2" ]; then
+        echo "$1:0:bad_input_is_named:PASS"
+    else
+        echo "$1:0:bad_input_is_named:FAIL: $2"
+        failed=1
+    fi
+}
+
+for fis in tests/bad/*.fis; do
+    expect=$(sed -n '1s/^% expect: //p' "$fis" | tr -d '\r')
+    arguments=$(sed -n '2s/^% args: //p' "$fis")
+    wrong=
+    # shellcheck disable=SC2086  # a list of words
+    stdout=$(build/fistab check $arguments "$fis" 2>"$out/stderr")
+    status=$?
+    [ -n "$expect" ] || wrong="no '% expect:' in its first line"
+    [ $status -eq 1 ] || wrong="check exits with $status"
+    [ -z "$stdout" ] || wrong="check prints on stdout: $stdout"
+    sed "s|^$fis: *||" "$out/stderr" | grep -qxF -- "$expect" || wrong="expected '$expect', got '$(cat "$out/stderr")'"
+    if [ -z "$arguments" ] && [[ $expect == *error:* ]]; then
+        rm -f "$out"/*.h "$out"/*.csv
+        build/fistab table "$fis" -o "$out/table.h" --csv="$out/table.csv" >"$out/stdout" 2>"$out/stderr"
+        [ $? -eq 1 ] || wrong="table does not exit with 1"
+        sed "s|^$fis: *||" "$out/stderr" | grep -qxF -- "$expect" || wrong="table does not say '$expect'"
+        [ -z "$(ls "$out" | grep -v '^std')" ] || wrong="table leaves $(ls "$out")"
+        [ ! -s "$out/stdout" ] || wrong="table prints on stdout"
+    fi
+    report "$fis" "$wrong"
+done
+
+# The other way round: every message of the checks has a fixture.
+for name in $(sed -n 's/^ \*   \([a-z_]*\)  .*/\1/p' tools/fistab/check.h); do
+    if grep -q "^% expect: .*($name)" tests/bad/check_*.fis; then
+        report "tools/fistab/check.h" ""
+    else
+        report "tools/fistab/check.h" "check $name has no fixture in tests/bad"
+    fi
+done
+exit $failed
