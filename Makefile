@@ -240,11 +240,11 @@ build/lut/$(1)/all_cells.ihx: build/lut/$(1)/tests/lut/all_cells.rel build/lut/$
 endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 
-TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%=tests/run_chip.sh %)
+TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %')
 
 .PHONY: run-test
 run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
-	@tests/run.sh $(foreach suite,$(TEST_SUITES),'$(suite)')
+	@tests/run.sh $(TEST_SUITES)
 
 # --- the demo ---------------------------------------------------------------------------------
 .PHONY: run-demo
