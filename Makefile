@@ -79,34 +79,38 @@ build/boards.h: $(wildcard firmware/boards/*.mk)
 	done >$@.part; mv $@.part $@
 
 # --- controllers ------------------------------------------------------------------------------
-# Of each: its table, how fistab makes that (not said: as the board encodes it), its modules of core
-# and of mcu, its main (not said: the one of its name), its flags.
-brake_TABLE := $(TABLE)
-brake_CORE  := brake closing fixed lamp lut range selftest telemetry
-brake_MCU   := start pwm echo uart
+# Of each: its table, how fistab makes that (not said: as the board encodes it), SDCC's flags, and its
+# modules, the one with main first, as SDCC's manual asks.
+ANY_MODULES   := $(addprefix core/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
+FRAME_MODULES := apps/frames $(ANY_MODULES) core/frame core/link mcu/head
+
+brake_TABLE   := $(TABLE)
+brake_MODULES := apps/brake $(ANY_MODULES) $(addprefix core/,brake closing range) mcu/echo mcu/uart
 
 radar_TABLE := tables/radar.fis
 radar_GRID  := --grid=13x13 --samples=7 --levels=240 --half-down
-radar_CORE  := radar fmcw lane safe
+radar_MODULES := $(FRAME_MODULES) apps/radar $(addprefix core/,radar fmcw lane safe)
 
 park_TABLE  := tables/park.fis
 park_GRID   := --grid=256 --levels=255
-park_CORE   := park cordic
+park_FLAGS  := -DSERVO
+park_MODULES := $(FRAME_MODULES) apps/park $(addprefix core/,park cordic) mcu/servo
 
 gap_TABLE   := tables/gap.fis
 gap_GRID    := --nodes --grid=33x33 --levels=200
-gap_CORE    := gap
+gap_FLAGS   := -DSERVO
+gap_MODULES := $(FRAME_MODULES) apps/gap core/gap mcu/servo
 
 follow_TABLE := tables/follow.fis
 follow_GRID  := --grid=5x3x3 --levels=4
-follow_CORE  := follow
+follow_FLAGS := -DSERVO
+follow_MODULES := $(FRAME_MODULES) apps/follow core/follow mcu/servo
 
 # The same with the rules as published, for comparison: most approaches end in contact.
 follow_paper_TABLE := tables/follow_paper.fis
 follow_paper_GRID  := $(follow_GRID)
-follow_paper_CORE  := follow
-follow_paper_MAIN  := follow
-follow_paper_FLAGS := -DFOLLOW_AS_PUBLISHED
+follow_paper_FLAGS := $(follow_FLAGS) -DFOLLOW_AS_PUBLISHED
+follow_paper_MODULES := $(follow_MODULES)
 
 SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
 
@@ -121,7 +125,7 @@ include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
 SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
-    $(foreach pin,PWM STOP TRIGGER LAMP BUZZER ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
+    $(foreach pin,PWM STOP TRIGGER LAMP BUZZER SERVO CUT ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
 .PHONY: firmware
@@ -134,8 +138,8 @@ $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	$$(Q)build/fistab table $$< --name=lut $(or $($(1)_GRID),--encoding=$(ENCODING)) -o $$@
 $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(SDCC) $(SDCC_FLAGS) $$($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
-$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,apps/$$(or $$($(1)_MAIN),$(1)) $$($(1)_MCU:%=mcu/%) $$($(1)_CORE:%=core/%))
+	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
+$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES))
 	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
 	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
 endef

@@ -11,16 +11,16 @@
 
 __idata uint8_t frame_body[FRAME_BODY_MAX];
 
-static uint8_t start_and_kind; /* what the start byte must be, but for its count */
-static uint8_t body_bytes;     /* payload and check sum */
+static __idata uint8_t start_and_kind; /* what the start byte must be, but for its count */
+static __idata uint8_t body_bytes;     /* payload and check sum */
 static uint8_t filled;         /* body bytes so far */
 static uint8_t group_left;     /* bytes that the group still brings; 0: its top bits come next */
 static uint8_t top_bits;
-static uint8_t count;      /* of the frame coming in */
-static uint8_t count_last; /* of the last good one */
+static __idata uint8_t count;      /* of the frame coming in */
+static __idata uint8_t count_last; /* of the last good one */
 static uint8_t crc_high, crc_low;
 static bool inside; /* between a start byte and the last byte of its frame */
-static uint16_t bad;
+static __idata uint16_t bad;
 
 void frame_init(uint8_t kind, uint8_t payload_bytes)
 {

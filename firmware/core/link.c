@@ -1,9 +1,10 @@
 /* Up after three good frames in a row, lost after 200 ms without one. */
 #include "link.h"
+#include "cc51.h"
 
-static uint16_t since_ms; /* up: the last good frame; waiting: the start */
-static uint8_t good_row;
-static uint8_t link;
+static __idata uint16_t since_ms; /* up: the last good frame; waiting: the start */
+static __idata uint8_t good_row;
+static __idata uint8_t link;
 
 void link_init(uint8_t state, uint16_t now_ms)
 {

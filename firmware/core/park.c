@@ -17,7 +17,7 @@
 /* X / 8 rad in 65,536ths of a turn for each 1/512 m: 65536 / (2 pi) / 4096 = 2 + 35796 / 65536. */
 #define NEAR_OVER_2_Q16 35796U
 
-struct park park;
+__idata struct park park;
 
 void park_init(void)
 {

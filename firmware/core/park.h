@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "cc51.h"
 
 #define PARK_X_MAX     20480 /* 40 m to each side */
 #define PARK_Y_MAX     20480 /* 40 m */
@@ -42,7 +43,7 @@ struct park {
 };
 
 /* What the controller last read and decided. */
-extern struct park park;
+extern __idata struct park park;
 
 /* The car stands, the wheel is straight. */
 void park_init(void);

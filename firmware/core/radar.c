@@ -18,9 +18,9 @@
 #define BRAKE_COAST    10
 #define BRAKE_FULL_PCT 100
 
-struct radar radar;
+__idata struct radar radar;
 
-static uint8_t away_row;
+static __idata uint8_t away_row;
 
 void radar_init(void)
 {

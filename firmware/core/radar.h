@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "cc51.h"
 
 /* Payload of FRAME_RADAR:
  *     0  i24  beat of the up sweep, Hz
@@ -46,7 +47,7 @@ struct radar {
 };
 
 /* What the controller last read and decided. */
-extern struct radar radar;
+extern __idata struct radar radar;
 
 /* No target, the driver has control. */
 void radar_init(void);

@@ -7,7 +7,7 @@
 
 static __bit was_high; /* the last echo was not over when this measurement started */
 
-void echo_init(void)
+void sensor_init(void)
 {
     pin_trigger = 0;
     TMOD = (TMOD & 0xF0) | T0_GATE | T0_M0; /* 16 bits, counts while the echo is high */

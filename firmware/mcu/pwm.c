@@ -1,12 +1,9 @@
 /* Timer 1: the brake's PWM and, counted in its periods, the clock. Two interrupts a period. */
 #include "sfr.h"
 #include "fixed.h"
+#include "phase.h"
 
 #define PERIOD_MC (CYCLES_PER_S / (1000U / HAL_TICK_MS))
-
-/* From the overflow on the timer runs on, so that a late interrupt lengthens nothing; only while it is
- * stopped to be reloaded does it lose time: from `clr tr1` to `setb tr1` below. */
-#define STOPPED_MC 7U
 
 /* One percent of the period in whole cycles, and the rest of it in 1/256 cycle. */
 #define PERCENT_MC      (PERIOD_MC / 100U)
@@ -15,9 +12,6 @@
 #if PERIOD_MC / 100U > 255U
 #error CLK_HZ too high: one percent of the PWM period must fit a byte of cycles
 #endif
-
-/* What timer 1 is loaded with for a phase of so many cycles. */
-#define RELOAD(phase_mc) ((uint16_t)(STOPPED_MC - (phase_mc)))
 
 /* Each period has a first phase, high unless the brake is released, and a second one, low unless it
  * is full; steady levels have two equal phases. All below belongs to the interrupt, but what starts
@@ -36,16 +30,7 @@ static volatile __bit new_first_level, new_second_level, new_is_set;
 void pwm_interrupt(void) __interrupt(3) __using(1)
 {
     pin_pwm = level; /* first, so that both edges come equally late */
-    __asm
-        clr     tr1
-        mov     a, tl1
-        add     a, _reload_low
-        mov     tl1, a
-        mov     a, th1
-        addc    a, _reload_high
-        mov     th1, a
-        setb    tr1
-    __endasm;
+    PHASE_ADVANCE("1", "_reload_low", "_reload_high");
     if (is_second) {
         is_second = 0;
         if (new_is_set) {
@@ -71,7 +56,7 @@ void pwm_interrupt(void) __interrupt(3) __using(1)
 
 void pwm_init(void)
 {
-    uint16_t half = RELOAD(PERIOD_MC / 2U);
+    uint16_t half = PHASE_RELOAD(PERIOD_MC / 2U);
 
     hal_brake_set(100);
     level = 1;
@@ -97,10 +82,10 @@ void hal_brake_set(uint8_t brake_pct)
     if (brake_pct != 0 && brake_pct < 100) {
         first_mc = mul_u8(brake_pct, PERCENT_MC) + (mul_u8(brake_pct, PERCENT_MC_REST) >> 8);
     }
-    reload = RELOAD(first_mc);
+    reload = PHASE_RELOAD(first_mc);
     new_first_low = (uint8_t)reload;
     new_first_high = (uint8_t)(reload >> 8);
-    reload = RELOAD(PERIOD_MC) + first_mc;
+    reload = PHASE_RELOAD(PERIOD_MC) + first_mc;
     new_second_low = (uint8_t)reload;
     new_second_high = (uint8_t)(reload >> 8);
     new_is_set = 1;

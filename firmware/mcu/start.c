@@ -90,7 +90,7 @@ void hal_init(void)
     signature[1] = SIGNATURE_2;
     signature[2] = SIGNATURE_3;
     pwm_init();
-    echo_init();
+    sensor_init();
     uart_init();
 #if defined(WATCHDOG_at89s52)
     hal_watchdog_feed(); /* the first feed starts it */

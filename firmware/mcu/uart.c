@@ -1,16 +1,5 @@
-/* Timer 2: the baud rate. Asked, never interrupting. */
+/* The UART asked, never interrupting. */
 #include "sfr.h"
-
-#define BAUD        9600U
-#define BAUD_RELOAD (65536UL - (CLK_HZ + 16UL * BAUD) / (32UL * BAUD))
-
-void uart_init(void)
-{
-    RCAP2L = (uint8_t)BAUD_RELOAD;
-    RCAP2H = (uint8_t)(BAUD_RELOAD >> 8);
-    T2CON = 0x34; /* RCLK, TCLK, TR2: both directions by timer 2 */
-    SCON = 0x52;  /* 8 bits, receiver on, ready to send */
-}
 
 bool hal_uart_ready(void)
 {

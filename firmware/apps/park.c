@@ -1,0 +1,58 @@
+/* The parking controller: place and heading -> two steering laws, blended -> servo, and the stop. */
+#include "frames.h"
+#include "park.h"
+
+static const char __code NAME[] = "park";
+static const char __code HEADER[] = "seq,ms,x_512,y_512,heading,dist_mm,weight,servo_us,state,fault\r\n";
+static const char __code LINE[] = "%u,%o%m,%s%u,%u,%u,%u,%u,%u,%s,%u\r\n";
+static const char __code *const __code STATES[] = {"WAITING", "DRIVING", "ARRIVED", "FAULT"};
+
+/* 20 ms, as the servo. */
+const struct frames_app __code app = {FRAME_PARK, PARK_PAYLOAD_BYTES, 2, NAME, HEADER, LINE};
+
+void app_init(void)
+{
+    park_init();
+}
+
+bool app_read(void)
+{
+    return park_read();
+}
+
+void app_decide(void)
+{
+    park_decide();
+}
+
+void app_lose(void)
+{
+    park_lose();
+}
+
+void app_apply(void)
+{
+    hal_stop_set(park_must_stand());
+    hal_brake_set(park_must_stand() ? 100 : 0);
+    hal_servo_set(park.servo_us);
+}
+
+uint8_t app_report(void)
+{
+    union telemetry_value __idata *value = telemetry_values + FRAMES_VALUES_FROM;
+
+    value[0].text = park.x < 0 ? "-" : "";
+    value[1].number = (uint16_t)(park.x < 0 ? -park.x : park.x);
+    value[2].number = (uint16_t)(park.y < 0 ? 0 : park.y);
+    value[3].number = park.heading;
+    value[4].number = park.dist_mm;
+    value[5].number = park.weight;
+    value[6].number = park.servo_us;
+    value[7].text = STATES[park.state];
+    return FRAMES_VALUES_FROM + 8;
+}
+
+uint8_t app_lamp(void)
+{
+    return park.state == PARK_WAITING ? LAMP_FLICKER : LAMP_OFF;
+}

@@ -1,0 +1,73 @@
+/* A sensor head on the UART: a trigger pulse out, frames in by interrupt. Control steps take longer
+ * than a byte does, so bytes are kept in a ring; the PWM's interrupt goes before this one. */
+#include "sfr.h"
+#include "hal_head.h"
+
+/* The head asks for 10 us; each turn of the delay takes 2 cycles. */
+#define TRIGGER_TURNS ((uint8_t)(CYCLES_PER_S * 12U / 1000000U / 2U + 1U))
+
+static volatile __idata uint8_t ring[HAL_WAITING_MAX];
+static volatile uint8_t came; /* bytes in all; the interrupt's */
+static uint8_t taken;         /* main's */
+static volatile __bit is_sent;
+
+void head_interrupt(void) __interrupt(4) __using(2)
+{
+    if (RI) {
+        RI = 0;
+        if ((uint8_t)(came - taken) != HAL_WAITING_MAX) {
+            ring[came & (HAL_WAITING_MAX - 1U)] = SBUF;
+            came++;
+        }
+    }
+    if (TI) {
+        TI = 0;
+        is_sent = 1;
+    }
+}
+
+void sensor_init(void)
+{
+    pin_trigger = 0;
+    PT1 = 1;
+    ES = 1;
+}
+
+void hal_trigger(void)
+{
+    uint8_t turns = TRIGGER_TURNS;
+
+    pin_trigger = 1;
+    do {
+    } while (--turns != 0);
+    pin_trigger = 0;
+}
+
+uint8_t hal_waiting(void)
+{
+    return (uint8_t)(came - taken);
+}
+
+uint8_t hal_take(void)
+{
+    uint8_t byte = ring[taken & (HAL_WAITING_MAX - 1U)];
+
+    taken++;
+    return byte;
+}
+
+bool hal_uart_ready(void)
+{
+    return is_sent;
+}
+
+void hal_uart_put(char c)
+{
+    is_sent = 0;
+    SBUF = (uint8_t)c;
+}
+
+void hal_cut_set(bool on)
+{
+    pin_cut = on;
+}
