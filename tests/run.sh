@@ -1,16 +1,14 @@
 #!/bin/bash
-# Runs test suites and adds up what they print.
+# Runs test suites, as many at a time as there are cores, and adds up what they print.
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits
 # non-zero if any failed. A suite that fails without saying which case, or says nothing, counts as one
 # failure. The last line is "N passed, N failed".
 set -u
-passed=0
-failed=0
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
 
-for suite in "$@"; do
+run_suite() {
+    local suite=$1 log status good bad
+    log=$(mktemp)
     # stdin is an empty file: a suite never waits for a terminal.
     bash -c "$suite" >"$log" 2>&1 </dev/null
     status=$?
@@ -23,9 +21,17 @@ for suite in "$@"; do
     elif [ "$bad" -ne 0 ]; then
         grep -avE ':PASS$' "$log"
     fi
-    passed=$((passed + good))
-    failed=$((failed + bad))
     printf '%5d passed %3d failed  %s\n' "$good" "$bad" "$suite"
-done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+    rm -f "$log"
+}
+export -f run_suite
+
+all=$(mktemp)
+trap 'rm -f "$all"' EXIT
+parallel --will-cite --keep-order --line-buffer run_suite ::: "$@" | tee "$all"
+[ "$(grep -cE '^ *[0-9]+ passed +[0-9]+ failed  ' "$all")" -eq $# ] || {
+    echo "run.sh: error: not every suite reported" >&2
+    exit 1
+}
+awk '/^ *[0-9]+ passed +[0-9]+ failed  / { passed += $1; failed += $3 }
+    END { printf "%d passed, %d failed\n", passed, failed; exit failed > 0 }' "$all"
