@@ -83,6 +83,7 @@ static void set_outputs(void)
 void follow_init(void)
 {
     follow.state = FOLLOW_WAITING;
+    follow.stop = true;
     follow.command_x2 = -2;
     follow.change_x2 = 0;
     follow.asks_for_lane = false;
@@ -108,6 +109,7 @@ bool follow_read(void)
 void follow_decide(void)
 {
     follow.state = FOLLOW_CONTROL;
+    follow.stop = false;
     follow_look_up();
     follow.asks_for_lane = follow.change_x2 == 2;
 #if FOLLOW_YIELDS
@@ -117,19 +119,11 @@ void follow_decide(void)
     set_outputs();
 }
 
-void follow_lose(void)
+void follow_lose(uint8_t fault_pct)
 {
-    if (follow.state == FOLLOW_WAITING)
-        return;
     follow.state = FOLLOW_FAULT;
     follow.asks_for_lane = false;
-    follow.command_x2 = -2;
-    follow.change_x2 = 0;
-    set_outputs();
-    follow.brake_pct = FAULT_PCT;
-}
-
-bool follow_must_stop(void)
-{
-    return follow.state == FOLLOW_WAITING;
+    follow.throttle_us = FOLLOW_THROTTLE_CLOSED_US;
+    if (follow.brake_pct < fault_pct)
+        follow.brake_pct = fault_pct;
 }

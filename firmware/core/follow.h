@@ -32,15 +32,10 @@
 #define FOLLOW_THROTTLE_CLOSED_US 1000U
 #define FOLLOW_THROTTLE_FULL_US   2000U
 
-/* The brake while the link is lost, a board's choice. */
-#ifndef FAULT_PCT
-#define FAULT_PCT 60
-#endif
-
 enum follow_state {
     FOLLOW_WAITING, /* no three good frames yet: full brake, the robot does not roll */
     FOLLOW_CONTROL,
-    FOLLOW_FAULT, /* the link is lost: FAULT_PCT, throttle closed, until it is up again */
+    FOLLOW_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up again */
 };
 
 struct follow {
@@ -50,6 +45,7 @@ struct follow {
     uint8_t change_x2; /* 0 stay, 2 change lanes; 1 on a threshold: not yet */
     bool asks_for_lane;
     uint8_t brake_pct;
+    bool stop; /* the stop line: until the link is up for the first time */
     uint16_t throttle_us;
     uint8_t state; /* enum follow_state */
 };
@@ -70,10 +66,8 @@ void follow_look_up(void);
 /* One control step on what was read, while the link is up; made for one in 100 ms. */
 void follow_decide(void);
 
-/* One control step while the link is down: no lane is asked for. */
-void follow_lose(void);
-
-/* Whether the stop line is to be active: while waiting. */
-bool follow_must_stop(void);
+/* One control step while the link is lost: never less brake than before, `fault_pct` at least, and no
+ * lane is asked for. */
+void follow_lose(uint8_t fault_pct);
 
 #endif

@@ -147,6 +147,7 @@ static void set_outputs(void)
 void gap_init(void)
 {
     gap.state = GAP_WAITING;
+    gap.stop = true;
     gap.brake_pct = 100;
     gap.throttle_us = GAP_THROTTLE_CLOSED_US;
     gap.accel_cmps2 = -GAP_ACCEL_MAX_CMPS2;
@@ -174,6 +175,7 @@ void gap_decide(void)
     int16_t accel_cmps2;
 
     gap.state = GAP_CONTROL;
+    gap.stop = false;
     gap.lead = lead_state();
     gap.safe_cm = gap_safe_cm();
     accel_cmps2 = (int16_t)(gap_lq_cmps2() + gap_fuzzy_cmps2());
@@ -187,17 +189,11 @@ void gap_decide(void)
     set_outputs();
 }
 
-void gap_lose(void)
+void gap_lose(uint8_t fault_pct)
 {
-    if (gap.state == GAP_WAITING)
-        return;
     gap.state = GAP_FAULT;
-    gap.brake_pct = FAULT_PCT;
     gap.throttle_us = GAP_THROTTLE_CLOSED_US;
-    gap.accel_cmps2 = -8 * FAULT_PCT;
-}
-
-bool gap_must_stop(void)
-{
-    return gap.state == GAP_WAITING;
+    if (gap.brake_pct < fault_pct)
+        gap.brake_pct = fault_pct;
+    gap.accel_cmps2 = (int16_t)-(int16_t)mul_u8(gap.brake_pct, GAP_ACCEL_MAX_CMPS2 / 100);
 }

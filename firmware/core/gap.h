@@ -36,17 +36,12 @@
 #define GAP_THROTTLE_CLOSED_US 1000U
 #define GAP_THROTTLE_FULL_US   2000U
 
-/* The brake while the link is lost, a board's choice. */
-#ifndef FAULT_PCT
-#define FAULT_PCT 60
-#endif
-
 enum gap_lead { GAP_LEAD_STANDS, GAP_LEAD_DRIVES, GAP_LEAD_BRAKES };
 
 enum gap_state {
     GAP_WAITING, /* no three good frames yet: full brake, the car does not roll */
     GAP_CONTROL,
-    GAP_FAULT, /* the link is lost: FAULT_PCT, throttle closed, until it is up again */
+    GAP_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up again */
 };
 
 struct gap {
@@ -55,6 +50,7 @@ struct gap {
     uint16_t safe_cm; /* D */
     int16_t accel_cmps2;
     uint8_t brake_pct;
+    bool stop; /* the stop line: until the link is up for the first time */
     uint16_t throttle_us;
     uint8_t lead;  /* enum gap_lead */
     uint8_t state; /* enum gap_state */
@@ -74,11 +70,8 @@ bool gap_read(void);
 /* One control step on what was read, while the link is up; made for one in 50 ms. At most 3,000 mc. */
 void gap_decide(void);
 
-/* One control step while the link is down. */
-void gap_lose(void);
-
-/* Whether the stop line is to be active: while waiting. */
-bool gap_must_stop(void);
+/* One control step while the link is lost: never less brake than before, `fault_pct` at least. */
+void gap_lose(uint8_t fault_pct);
 
 /* The parts of gap_decide, on what was read. D, 500..25833 cm; the LQ law with safe_cm set, and the
  * table with safe_cm set, both to +-800 cm/s2. */

@@ -131,22 +131,26 @@ static void test_payload_out_of_range_is_refused_and_changes_nothing(void)
 
 static void test_robot_waits_braked_and_a_lost_link_brakes_and_asks_for_nothing(void)
 {
-    TEST_ASSERT_TRUE(follow_must_stop());
+    TEST_ASSERT_TRUE(follow.stop);
     TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
-    follow_lose(); /* nothing was up yet */
-    TEST_ASSERT_TRUE(follow_must_stop());
+    follow_lose(60); /* nothing was up yet */
+    TEST_ASSERT_TRUE(follow.stop);
     TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
 
     situation(1500, 1800, false);
-    TEST_ASSERT_FALSE(follow_must_stop());
+    TEST_ASSERT_FALSE(follow.stop);
     TEST_ASSERT_TRUE(follow.asks_for_lane);
 
-    follow_lose();
+    follow_lose(60);
     TEST_ASSERT_EQUAL_UINT8(FOLLOW_FAULT, follow.state);
-    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, follow.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(60, follow.brake_pct);
     TEST_ASSERT_EQUAL_UINT16(FOLLOW_THROTTLE_CLOSED_US, follow.throttle_us);
     TEST_ASSERT_FALSE(follow.asks_for_lane);
-    TEST_ASSERT_FALSE(follow_must_stop());
+    TEST_ASSERT_FALSE(follow.stop);
+
+    situation(800, 1800, false);
+    follow_lose(60); /* never less than before */
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
 }
 
 static void test_check_sum_covers_both_outputs(void)

@@ -207,21 +207,34 @@ static void test_payload_out_of_range_is_refused_and_changes_nothing(void)
 
 static void test_car_waits_braked_and_a_lost_link_brakes(void)
 {
-    TEST_ASSERT_TRUE(gap_must_stop());
+    TEST_ASSERT_TRUE(gap.stop);
     TEST_ASSERT_EQUAL_UINT8(100, gap.brake_pct);
-    gap_lose(); /* nothing was up yet */
-    TEST_ASSERT_TRUE(gap_must_stop());
+    gap_lose(60); /* nothing was up yet */
+    TEST_ASSERT_TRUE(gap.stop);
     TEST_ASSERT_EQUAL_UINT8(100, gap.brake_pct);
 
     situation(20000, 1000, 1000, 0);
-    TEST_ASSERT_FALSE(gap_must_stop());
+    TEST_ASSERT_FALSE(gap.stop);
+    TEST_ASSERT_EQUAL_UINT8(GAP_CONTROL, gap.state);
     TEST_ASSERT_EQUAL_UINT8(0, gap.brake_pct);
     TEST_ASSERT_GREATER_THAN_UINT16(GAP_THROTTLE_CLOSED_US, gap.throttle_us);
 
-    gap_lose();
+    gap_lose(60);
     TEST_ASSERT_EQUAL_UINT8(GAP_FAULT, gap.state);
-    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, gap.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(60, gap.brake_pct);
+    TEST_ASSERT_EQUAL_INT16(-480, gap.accel_cmps2);
     TEST_ASSERT_EQUAL_UINT16(GAP_THROTTLE_CLOSED_US, gap.throttle_us);
+    TEST_ASSERT_FALSE(gap.stop);
+}
+
+static void test_lost_link_never_lowers_the_brake(void)
+{
+    situation(1000, 2000, 0, 0);
+    TEST_ASSERT_GREATER_THAN_UINT8(80, gap.brake_pct);
+    gap_lose(60);
+    TEST_ASSERT_GREATER_THAN_UINT8(80, gap.brake_pct);
+    gap_lose(0);
+    TEST_ASSERT_GREATER_THAN_UINT8(80, gap.brake_pct);
 }
 
 static void test_a_node_is_met_exactly(void)
@@ -550,6 +563,7 @@ int main(void)
     RUN_TEST(test_no_room_never_accelerates_and_much_room_never_brakes);
     RUN_TEST(test_payload_out_of_range_is_refused_and_changes_nothing);
     RUN_TEST(test_car_waits_braked_and_a_lost_link_brakes);
+    RUN_TEST(test_lost_link_never_lowers_the_brake);
     RUN_TEST(test_a_node_is_met_exactly);
     RUN_TEST(test_between_nodes_it_is_the_plane_less_two_levels_at_most);
     RUN_TEST(test_last_position_stays_inside);
