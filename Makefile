@@ -125,7 +125,7 @@ include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
 SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
-    $(foreach pin,PWM STOP TRIGGER LAMP BUZZER SERVO CUT ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
+    $(foreach pin,PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
 .PHONY: firmware

@@ -19,6 +19,6 @@ awk -v board="$1" -v app="$2" -v iram="$iram" '
 /^Stack starts at/ { stack = $(NF - 2) }
 $1 == "ROM/EPROM/FLASH" { code = $(NF - 1); room = $NF }
 END {
-    printf "%-12s %-7s code %5d of %5d bytes, RAM %3d of %3d bytes, which leaves %3d for the stack\n",
+    printf "%-12s %-12s code %5d of %5d bytes, RAM %3d of %3d bytes, which leaves %3d for the stack\n",
         board, app, code, room, iram - stack, iram, stack
 }' "$mem"

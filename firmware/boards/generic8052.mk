@@ -7,10 +7,10 @@ IRAM_BYTES := 256
 ENCODING   := plain
 WATCHDOG   := none
 FAULT_PCT  := 60
-APPS       := brake radar park
+APPS       := brake radar gap follow park
 
 # Pins by their bit address: 0x90 is P1.0, 0xB2 is P3.2. All are high during reset, which is full
-# brake and stop, throttle cut, lamp and buzzer off. The echo must be P3.2: it gates timer 0.
+# brake and stop, throttle cut, lamp and buzzer off, no lane asked for. The echo must be P3.2: it gates timer 0.
 PIN_PWM      := 0x90
 PIN_STOP     := 0x91
 PIN_TRIGGER  := 0x92
@@ -18,6 +18,7 @@ PIN_LAMP     := 0x93
 PIN_BUZZER   := 0x94
 PIN_SERVO    := 0x95
 PIN_CUT      := 0x96
+PIN_LANE     := 0x97
 PIN_ECHO     := 0xB2
 PIN_OVERRIDE := 0xB3
 

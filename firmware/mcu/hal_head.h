@@ -18,6 +18,9 @@ void hal_servo_set(uint16_t pulse_us);
 /* The driver's throttle is cut. */
 void hal_cut_set(bool on);
 
+/* The next lane is asked for. */
+void hal_lane_set(bool on);
+
 void head_interrupt(void) __interrupt(4) __using(2);
 #ifdef SERVO
 void servo_interrupt(void) __interrupt(1) __using(1);

@@ -71,3 +71,8 @@ void hal_cut_set(bool on)
 {
     pin_cut = on;
 }
+
+void hal_lane_set(bool on)
+{
+    pin_lane = !on;
+}
