@@ -328,7 +328,7 @@ static void aggregate(const struct fis *fis, const struct consequent *c, double 
     case AGG_PROBOR:
         for (size_t k = c->from; k < c->to; k++) {
             double mu = product ? strength * c->mu[k] : strength < c->mu[k] ? strength : c->mu[k];
-            out[k] += mu - out[k] * mu;
+            out[k] = out[k] + mu - out[k] * mu; /* MATLAB's order: ties stay ties */
         }
         break;
     }
