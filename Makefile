@@ -145,6 +145,17 @@ $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES))
 endef
 $(foreach app,$(APPS),$(eval $(call app_rules,$(app))))
 
+# An image that times APP's control step: a main of its own in place of apps/frames.
+define bench_rules
+$(OUT)/bench/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,tests/bench/step tests/bench/$(1) $$(filter-out apps/frames,$$($(1)_MODULES)))
+	@mkdir -p $$(@D)
+	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
+$(OUT)/$(1)/tests/%.rel: tests/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) -Ifirmware/apps -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
+endef
+$(foreach app,$(APPS),$(eval $(call bench_rules,$(app))))
+
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
 
