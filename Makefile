@@ -3,6 +3,7 @@
 # --- knobs ------------------------------------------------------------------------------------
 BOARD    ?=#                   one board of firmware/boards; empty: all of them
 TABLE    ?= tables/brake.fis#  the brake's fuzzy system
+ESTIMATOR ?= difference#       what gives the brake its closing speed: difference or smooth
 V        ?=#                   V=1 prints each command
 UNITY_DIR ?=#                  a checkout of Unity in place of Debian's copy
 CFLAGS   ?= -O2 -g
@@ -124,7 +125,7 @@ else
 include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
-SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
+SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
     $(foreach pin,PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
@@ -141,7 +142,7 @@ $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES))
 	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
-	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
+	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
 endef
 $(foreach app,$(APPS),$(eval $(call app_rules,$(app))))
 
@@ -156,6 +157,12 @@ $(OUT)/$(1)/tests/%.rel: tests/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 endef
 $(foreach app,$(APPS),$(eval $(call bench_rules,$(app))))
 
+# Images for tests and bench: one file of theirs in place of apps/brake.
+$(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(filter-out apps/brake,$(brake_MODULES)))
+	@mkdir -p $(@D)
+	$(Q)tools/check_isr.sh $(^:.rel=.asm)
+	$(Q)$(SDCC) $(SDCC_LINK) $^ -o $@
+
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
 
@@ -164,7 +171,7 @@ $(OUT)/board.stamp: FORCE
 	@mkdir -p $(@D); echo '$(TABLE) $(ENCODING) $(SDCC_FLAGS)' | cmp -s - $@ || echo '$(TABLE) $(ENCODING) $(SDCC_FLAGS)' >$@
 FORCE:
 
--include $(wildcard $(OUT)/*/*/*.d)
+-include $(wildcard $(OUT)/*/*/*.d $(OUT)/*/tests/*/*.d)
 endif
 
 # --- tests ------------------------------------------------------------------------------------
@@ -255,7 +262,8 @@ build/lut/$(1)/all_cells.ihx: build/lut/$(1)/tests/lut/all_cells.rel build/lut/$
 endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 
-TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %')
+TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
+    $(wildcard tests/chip/test_*.sh)
 
 .PHONY: run-test
 run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)

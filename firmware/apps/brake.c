@@ -178,12 +178,15 @@ static void advance_clock(void)
     }
 }
 
+/* The next command stays in the UART until the one before it is answered. */
 static void listen(void)
 {
-    char c = hal_uart_get();
+    if (command == 0) {
+        char c = hal_uart_get();
 
-    if (c != 0 && c != '\r' && c != '\n') {
-        command = c;
+        if (c != '\r' && c != '\n') {
+            command = c;
+        }
     }
 }
 

@@ -1,0 +1,15 @@
+/* expect: interrupt 'overflow' calls '__divuint'; let main do it, or write it inline */
+#include <8052.h>
+
+static volatile unsigned int sum;
+
+void overflow(void) __interrupt(1)
+{
+    sum = sum / 10;
+}
+
+void main(void)
+{
+    for (;;) {
+    }
+}

@@ -1,0 +1,129 @@
+# Runs an image in s51 with pins driven at exact times; for tests/chip/*.sh and tests/bench/*.sh:
+#
+#     . tests/chip/lib.sh
+#     s51_start BOARD IMAGE.ihx CELL...   watches P1.0..P1.4 and the CELLs (names of s51's, iram[0x2f])
+#     s51_pin 700000 echo 1               at 700,000 us the echo line goes high; times only grow
+#     s51_type "s"                        the UART receives this, now; only after S51_TYPES=1 s51_start,
+#                                         which takes twice the time
+#     s51_until 900000                    simulates up to 900,000 us
+#     s51_stop                            ends it
+#     s51_edges NAME                      "time_us value time_us_since_reset" of each write
+#     $s51_uart                           the file of what the UART sent
+#
+# s51 stands still whenever it has eaten all pin events; so all is exact and repeats to the byte.
+
+s51_board() { # BOARD KNOB
+    awk -v knob="$2" '$1 == knob { print $3 }' "firmware/boards/$1.mk"
+}
+
+# The address of a variable in the internal RAM of a linked program, from its relocated listings.
+s51_cell() { # BOARD APP VARIABLE
+    awk -v name="_$3:" '$NF == name && NF == 3 { print "iram[0x" tolower(substr($1, 5)) "]"; exit }' "build/$1/$2"/*/*.rst
+}
+
+s51_start() {
+    local board=$1 image=$2 type clk_hz cell bit
+    shift 2
+    [ -r "$image" ] || {
+        echo "s51: error: no image '$image'; run: make BOARD=$board" >&2
+        exit 2
+    }
+    type=$(s51_board "$board" S51_TYPE)
+    clk_hz=$(s51_board "$board" CLK_HZ)
+    s51_dir=$(mktemp -d)
+    s51_uart=$s51_dir/uart
+    mkfifo "$s51_dir/pins" "$s51_dir/keys" "$s51_dir/console"
+    {
+        echo 'var sync'
+        if [ -n "${S51_TYPES:-}" ]; then echo 'uart0_check_often=1'; fi
+        echo "set hw vcd[0] output \"$s51_dir/out\""
+        for bit in 0 1 2 3 4; do echo "set hw vcd[0] add port1_value.$bit"; done
+        for cell in "$@"; do echo "set hw vcd[0] add $cell"; done
+        echo 'set hw vcd[0] add sync'
+        echo 'set hw vcd[0] start'
+        echo 'set hw vcd[0] new 1'
+        echo "set hw vcd[1] input \"$s51_dir/pins\""
+        echo 'set hw vcd[1] start'
+    } >"$s51_dir/start.cfg"
+    # Opened for both directions they neither block nor end.
+    exec {s51_console}<>"$s51_dir/console" {s51_keys}<>"$s51_dir/keys"
+    timeout -k 1 "${S51_LIMIT_S:-300}" s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,in=$s51_dir/keys,out=$s51_uart" \
+        -C "$s51_dir/start.cfg" -g "$image" <&"$s51_console" >"$s51_dir/log" 2>&1 &
+    s51_pid=$!
+    trap s51_stop EXIT
+    exec {s51_pins}>"$s51_dir/pins"
+    # shellcheck disable=SC2016  # VCD's own words
+    printf '%s\n' '$timescale 1ns $end' '$scope module m $end' '$var wire 1 ! pin3.2 $end' '$var wire 1 @ pin3.3 $end' \
+        '$var wire 1 % sync $end' '$upscope $end' '$enddefinitions $end' '#1500' '0!' '1@' '0%' >&"$s51_pins"
+}
+
+# When the firmware triggers the sensor for the first time; it goes on every 60 ms.
+s51_first_trigger() {
+    s51_edges port1_value.2 | awk '$2 == 1 && $1 > 1000 { printf "%d", $1; exit }'
+}
+
+# Events lie half a microsecond off the grid of machine cycles.
+s51_pin() { # TIME_US echo|override LEVEL
+    local id='!'
+    [ "$2" = echo ] || id='@'
+    printf '#%d500\n%d%s\n' "$1" "$3" "$id" >&"$s51_pins"
+}
+
+# Echoes of a target at DIST_MM (none: the sensor's 38 ms for a clear road), as answers to the triggers
+# FROM..TO-1 of those that come every 60 ms from FIRST_US on.
+s51_echoes() { # FIRST_US FROM TO DIST_MM|none
+    local width_us=38000 start_us k
+    [ "$4" = none ] || width_us=$((($4 * 20000 + 1716) / 3432))
+    for ((k = $2; k < $3; k++)); do
+        start_us=$(($1 + 60000 * k + 1500))
+        s51_pin "$start_us" echo 1
+        s51_pin "$((start_us + width_us))" echo 0
+    done
+}
+
+s51_type() {
+    printf '%s' "$1" >&"$s51_keys"
+}
+
+s51_until() { # TIME_US
+    printf '#%d500\n1%%\n#%d500\n' "$1" "$(($1 + 1))" >&"$s51_pins"
+    until s51_edges sync | awk -v due="$1" '$3 >= due && $3 < due + 3 { seen = 1 } END { exit !seen }'; do
+        kill -0 "$s51_pid" 2>/dev/null || {
+            echo "s51: error: left before $1 us; its last words:" >&2
+            tail -n 3 "$s51_dir/log" >&2
+            exit 2
+        }
+        sleep 0.1
+    done
+}
+
+# Times as s51 writes them restart after a watchdog reset; here they go on, and a line "TIME reset"
+# tells where that was.
+s51_edges() { # NAME
+    awk -v name="$1" '
+    BEGIN { gsub(/\[/, "_", name); gsub(/\]/, "", name) }
+    $1 == "$timescale" { unit = $2; scale = unit ~ /ps/ ? 1e-6 : unit ~ /ns/ ? 1e-3 : 1; scale *= unit + 0 }
+    $1 == "$var" { id = $4; vcd_name = $5; if (vcd_name == name) wanted = id }
+    /^#/ {
+        time = substr($1, 2) * scale
+        if (time < before) { base += before; printf "%.3f reset\n", base }
+        before = time
+        next
+    }
+    $1 == "$dumpvars" { next }
+    wanted != "" && substr($0, length($0)) == wanted && (/^[01]/ || /^b/) {
+        value = /^b/ ? substr($1, 2) : substr($1, 1, 1)
+        printf "%.3f %s %.3f\n", base + time, value, time
+    }' "$s51_dir/out"
+}
+
+s51_stop() {
+    trap - EXIT
+    kill "$s51_pid" 2>/dev/null
+    wait "$s51_pid" 2>/dev/null
+    exec {s51_pins}>&- {s51_console}>&- {s51_keys}>&-
+}
+
+s51_clean() {
+    rm -rf "$s51_dir"
+}

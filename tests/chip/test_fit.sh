@@ -1,0 +1,21 @@
+#!/bin/bash
+# A program that outgrows its chip does not link, and says so; an unknown board names the known ones.
+set -u
+. tests/chip/check.sh
+dir=build/outgrown
+rm -rf "$dir"
+
+outgrows() { # KNOB=VALUE...
+    make -s BOARD=at89s52 "OUT=$dir" "$@" "$dir/brake.ihx" >"$dir.log" 2>&1
+    [ $? -ne 0 ] && [ ! -e "$dir/brake.ihx" ] && grep -q "does not fit board at89s52" "$dir.log"
+}
+check "a_plain_table_does_not_fit_8_kb" outgrows ENCODING=plain
+check "the_brake_does_not_fit_128_bytes_of_ram" outgrows IRAM_BYTES=128
+
+names_the_boards() {
+    make BOARD=nosuch firmware >"$dir.log" 2>&1
+    [ $? -ne 0 ] && grep -q "no board 'nosuch'; the boards are: at89s52 generic8052 stc89c516rd" "$dir.log"
+}
+check "an_unknown_board_names_the_boards" names_the_boards
+rm -rf "$dir" "$dir.log"
+check_end

@@ -1,0 +1,86 @@
+#!/bin/bash
+# What the self-test finds ends in FAULT, with its code in the telemetry and on the lamp, and lasts;
+# STOP works all the same.
+set -u
+. tests/chip/lib.sh
+. tests/chip/check.sh
+board=at89s52
+dir=$(mktemp -d)
+make -s "BOARD=$board" "build/$board/brake.ihx" "build/$board/tests/chip/brake_overflow.ihx" || exit 2
+
+# Blinks between the first two pauses of the lamp (low is lit) from a time on. A pause is a second and
+# more from fall to fall, within a number half a second.
+blinks() { # FROM_US
+    s51_edges port1_value.3 | awk -v from="$1" '
+        $1 < from || $2 == level { next }
+        { level = $2 }
+        level == 0 {
+            if (fall && $1 - fall > 1000000) {
+                if (pauses++) { print count; exit }
+                count = 0
+            }
+            count++
+            fall = $1
+        }'
+}
+
+# Runs the image for 150 readings: 2.4 s of echoes of 3 m, the override or not, more of them, and at
+# last two of 0.6 m.
+run() { # IMAGE press|high|""
+    local first
+    s51_start "$board" "$1"
+    if [ "$2" = high ]; then s51_pin 2 echo 1; fi
+    s51_until 330000
+    first=$(s51_first_trigger)
+    if [ "$2" = high ]; then s51_pin 335000 echo 0; fi
+    s51_echoes "$first" 3 40 3000
+    if [ "$2" = press ]; then
+        s51_pin $((first + 60000 * 40)) override 0
+        s51_pin $((first + 60000 * 40 + 20000)) override 1
+    fi
+    s51_echoes "$first" 41 148 3000
+    s51_echoes "$first" 148 150 600
+    s51_until $((first + 60000 * 150))
+    s51_stop
+    tr -d '\r' <"$s51_uart" >"$dir/said"
+}
+
+shows() { # CODE, after the fault came
+    grep -qE "^[0-9]+,[0-9]+,3000,0,[0-9]+,[0-9]+,60,FAULT,$1\$" "$dir/said"
+}
+never_leaves() { # CODE once there
+    awk -F, -v code="$1" '/^[0-9]+,/ { if ($9 == code) seen = 1; else if (seen) left = 1 } END { exit !seen || left }' "$dir/said"
+}
+stops() {
+    awk -F, '$3 == 600 && $7 == 100 { seen = 1 } END { exit !seen }' "$dir/said"
+}
+
+run "build/$board/brake.ihx" ""
+check "a_good_image_controls" grep -qE ',3000,0,5[0-9],0,[0-9]+,CONTROL,0$' "$dir/said"
+check "a_good_image_shows_no_fault" [ -z "$(grep -E 'FAULT,([89]|1[01])' "$dir/said")" ]
+s51_clean
+
+# The table's bytes lie in lut's constants.
+address=$(awk '$NF == "_lut_out1:" { print $1; exit }' "build/$board/brake/core/lut.rst")
+awk -v "address=$((16#$address + 1000))" -f tests/chip/flip_byte.awk "build/$board/brake.ihx" >"$dir/flipped.ihx"
+check "one_bit_of_the_table_is_flipped" [ "$(cmp -l "build/$board/brake.ihx" "$dir/flipped.ihx" | wc -l)" -ge 2 ]
+run "$dir/flipped.ihx" ""
+check "a_flipped_bit_in_the_table_is_fault_8" shows 8
+check "a_flipped_bit_lasts" never_leaves 8
+check "a_flipped_bit_still_stops" stops
+check "a_flipped_bit_blinks_2" [ "$(blinks 400000)" = 2 ]
+s51_clean
+
+run "build/$board/tests/chip/brake_overflow.ihx" press
+check "a_full_stack_is_fault_10" shows 10
+check "a_full_stack_lasts" never_leaves 10
+check "a_full_stack_blinks_4" [ "$(blinks 3000000)" = 4 ]
+s51_clean
+
+run "build/$board/brake.ihx" high
+check "a_line_high_at_rest_is_fault_11" shows 11
+check "a_line_high_lasts" never_leaves 11
+check "a_line_high_blinks_5" [ "$(blinks 400000)" = 5 ]
+s51_clean
+rm -rf "$dir"
+check_end
