@@ -18,6 +18,10 @@ SHELL     := /bin/bash
 Q := $(if $(V),,@)
 export UNITY_DIR
 
+ifeq ($(filter $(ESTIMATOR),difference smooth),)
+$(error no estimator '$(ESTIMATOR)'; use difference or smooth)
+endif
+
 BOARDS := $(sort $(basename $(notdir $(wildcard firmware/boards/*.mk))))
 ifneq ($(BOARD),)
 ifeq ($(filter $(BOARD),$(BOARDS)),)
