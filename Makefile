@@ -178,6 +178,30 @@ FORCE:
 -include $(wildcard $(OUT)/*/*/*.d $(OUT)/*/tests/*/*.d)
 endif
 
+# --- grids: a controller's own decision, compiled for the host, from many starts ------------------
+# The follower with both rule sets, and with the safe rules but no brake when a change is refused.
+FOLLOW_GRIDS := follow follow_paper follow_unyielding
+follow_unyielding_TABLE := $(follow_TABLE)
+follow_unyielding_GRID  := $(follow_GRID)
+follow_unyielding_FLAGS := $(follow_paper_FLAGS)
+FOLLOW_GRID_SRC := tools/grid/follow.c tools/drive/robots.c $(addprefix firmware/core/,follow.c lut.c frame.c)
+define follow_grid_rules
+build/grid/$(1)/lut_table.h: $($(1)_TABLE) build/fistab
+	@mkdir -p $$(@D)
+	$$(Q)build/fistab table $$< --name=lut $($(1)_GRID) -o $$@
+build/grid/$(1)/%.o: %.c build/grid/$(1)/lut_table.h
+	@mkdir -p $$(@D)
+	$$(Q)$$(CC) $$(CFLAGS) $$(HOST_FLAGS) $($(1)_FLAGS) -Ifirmware/core -Ibuild/grid/$(1) -c $$< -o $$@
+build/grid/$(1)/run: $(FOLLOW_GRID_SRC:%.c=build/grid/$(1)/%.o)
+	$$(Q)$$(CC) $$(CFLAGS) $$^ -lm -o $$@
+build/grid/$(1).csv: build/grid/$(1)/run
+	$$(Q)$$< >$$@
+endef
+$(foreach grid,$(FOLLOW_GRIDS),$(eval $(call follow_grid_rules,$(grid))))
+
+.PHONY: grid
+grid: $(FOLLOW_GRIDS:%=build/grid/%.csv)
+
 # --- tests ------------------------------------------------------------------------------------
 # Every suite prints PLACE:LINE:NAME:PASS|FAIL lines; tests/run.sh adds them up.
 UNITY       := build/deps/unity/src
@@ -270,7 +294,7 @@ TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(C
     $(wildcard tests/chip/test_*.sh)
 
 .PHONY: run-test
-run-test: all $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
+run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(TEST_SUITES)
 
 # --- the demo ---------------------------------------------------------------------------------
@@ -284,4 +308,4 @@ demo test:
 	@tools/deps.sh $@
 	@$(MAKE) run-$@
 
--include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d build/unit/*/*/*.d build/chip/*/*/*.d build/lut/*/*/*/*.d)
+-include $(wildcard build/host/tools/*/*.d build/sanitized/*/*/*.d build/unit/*/*/*.d build/chip/*/*/*.d build/lut/*/*/*/*.d build/grid/*/*/*/*.d)

@@ -1,0 +1,128 @@
+/* The robots' plant against the closed form, its limits, and a change of lanes. */
+#include "drive/robots.h"
+#include "unity.h"
+
+void setUp(void) {}
+
+void tearDown(void) {}
+
+static struct robots start(int gap_mm, int own_mmps, int lead_mmps)
+{
+    struct robots robots = {
+        .gap_um = gap_mm * 1000, .own_mmps = own_mmps, .lead_mmps = lead_mmps, .stop_step = -1};
+
+    robots_start(&robots);
+    return robots;
+}
+
+static void test_constant_acceleration_is_exact(void)
+{
+    struct robots robots = start(9000, 0, 500);
+
+    for (int step = 0; step < 8; step++)
+        robots_step(&robots, 2000, false);
+    /* 0.8 s: 1.6 m/s, 0.64 m driven; the lead drove 0.4 m. */
+    TEST_ASSERT_EQUAL_INT(1600, robots.own_mmps);
+    TEST_ASSERT_EQUAL_INT(9000000 - 640000 + 400000, robots.gap_um);
+}
+
+static void test_speed_stays_from_0_to_2_mps(void)
+{
+    struct robots robots = start(9000, 1900, 2000);
+
+    robots_step(&robots, 2000, false);
+    TEST_ASSERT_EQUAL_INT(2000, robots.own_mmps);
+    for (int step = 0; step < 20; step++)
+        robots_step(&robots, -2000, false);
+    TEST_ASSERT_EQUAL_INT(0, robots.own_mmps);
+}
+
+static void test_motion_control_tells_tenths_of_mps2_apart(void)
+{
+    struct robots robots = start(9000, 1000, 1000);
+
+    robots_step(&robots, 960, false);
+    TEST_ASSERT_EQUAL_INT(1100, robots.own_mmps);
+    robots_step(&robots, -1040, false);
+    TEST_ASSERT_EQUAL_INT(1000, robots.own_mmps);
+    robots_step(&robots, 40, false);
+    TEST_ASSERT_EQUAL_INT(1000, robots.own_mmps);
+}
+
+static void test_contact_ends_all_motion(void)
+{
+    struct robots robots = start(100, 2000, 0);
+
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_TRUE(robots.collided);
+    TEST_ASSERT_EQUAL_INT(1, robots.step);
+    TEST_ASSERT_EQUAL_INT(0, robots_gap_mm(&robots));
+    robots_step(&robots, 0, true);
+    TEST_ASSERT_EQUAL_INT(1, robots.step);
+    TEST_ASSERT_EQUAL_INT(-1, robots.changed_step);
+}
+
+static void test_free_lane_is_taken_once(void)
+{
+    struct robots robots = start(1500, 1500, 0);
+
+    robots.lane_is_free = true;
+    robots.new_lead_mmps = 1200;
+    robots.stop_step = 5;
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_EQUAL_INT(-1, robots.changed_step);
+    robots_step(&robots, 0, true);
+    TEST_ASSERT_EQUAL_INT(2, robots.changed_step);
+    TEST_ASSERT_EQUAL_INT(6000, robots_gap_mm(&robots));
+    TEST_ASSERT_EQUAL_INT(1200, robots.lead_mmps);
+    TEST_ASSERT_FALSE(robots.lane_is_free);
+    for (int step = 0; step < 10; step++)
+        robots_step(&robots, 0, true);
+    TEST_ASSERT_EQUAL_INT(1200, robots.lead_mmps); /* the one that was to stop is left behind */
+    TEST_ASSERT_EQUAL_INT(6000000 - 10 * 30000, robots.gap_um);
+}
+
+static void test_taken_lane_is_not_entered(void)
+{
+    struct robots robots = start(1500, 500, 500);
+
+    robots_step(&robots, 0, true);
+    TEST_ASSERT_EQUAL_INT(-1, robots.changed_step);
+    TEST_ASSERT_EQUAL_INT(1500, robots_gap_mm(&robots));
+}
+
+static void test_lead_stops_when_told(void)
+{
+    struct robots robots = start(3000, 1000, 1000);
+
+    robots.stop_step = 2;
+    robots_step(&robots, 0, false);
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_EQUAL_INT(3000000, robots.gap_um);
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_EQUAL_INT(2900000, robots.gap_um);
+}
+
+static void test_gap_is_measured_to_the_nearest_millimetre(void)
+{
+    struct robots robots = start(0, 0, 0);
+
+    robots.gap_um = 999500;
+    TEST_ASSERT_EQUAL_INT(1000, robots_gap_mm(&robots));
+    robots.gap_um = 999499;
+    TEST_ASSERT_EQUAL_INT(999, robots_gap_mm(&robots));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_constant_acceleration_is_exact);
+    RUN_TEST(test_speed_stays_from_0_to_2_mps);
+    RUN_TEST(test_motion_control_tells_tenths_of_mps2_apart);
+    RUN_TEST(test_contact_ends_all_motion);
+    RUN_TEST(test_free_lane_is_taken_once);
+    RUN_TEST(test_taken_lane_is_not_entered);
+    RUN_TEST(test_lead_stops_when_told);
+    RUN_TEST(test_gap_is_measured_to_the_nearest_millimetre);
+    return UNITY_END();
+}

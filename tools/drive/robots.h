@@ -1,0 +1,40 @@
+/* The follower's plant: a robot behind another one, on a lane beside another. Time goes in steps of
+ * 0.1 s, at whose beginning the robot is measured and for which its motion control holds one
+ * acceleration; speeds stay in 0..2 m/s. All numbers are whole, so a run is the same everywhere. */
+#ifndef FUZZY51_ROBOTS_H
+#define FUZZY51_ROBOTS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+    ROBOTS_STEP_MS = 100,
+    ROBOTS_SPEED_MAX_MMPS = 2000,
+    ROBOTS_ACCEL_MAX_MMPS2 = 2000,
+    ROBOTS_ACCEL_STEP_MMPS2 = 100, /* what the motion control tells apart */
+    ROBOTS_NEW_GAP_MM = 6000       /* to the robot ahead in the other lane, after a change */
+};
+
+struct robots {
+    int32_t gap_um;
+    int own_mmps, lead_mmps;
+    bool lane_is_free; /* the other one; taken once the robot has changed to it */
+    int new_lead_mmps; /* who drives there */
+    int stop_step;     /* the lead stands from this step on; negative: it does not stop */
+    int step;          /* so many are over */
+    int changed_step;  /* the change was made then; -1: none */
+    int least_gap_um;
+    bool collided;     /* the gap came to 0: nothing moves any more */
+};
+
+/* Sets what is not the scenario's: step, changed_step, least_gap_um, collided. */
+void robots_start(struct robots *robots);
+
+/* What the robot measures, mm: the gap rounded half up. */
+int robots_gap_mm(const struct robots *robots);
+
+/* One step at ACCEL_MMPS2, rounded to what the motion control tells apart. At its end, if the robot
+ * ASKS_FOR_LANE and it is free, the robot is there. */
+void robots_step(struct robots *robots, double accel_mmps2, bool asks_for_lane);
+
+#endif
