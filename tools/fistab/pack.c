@@ -103,8 +103,11 @@ static bool find_runs(struct plan *plan)
     return true;
 }
 
+/* Of two different shapes, the shorter one, of the last strip, may lie inside the longer one. */
 static bool contains(const struct shape *outer, const struct shape *inner)
 {
+    if (outer->length == inner->length)
+        return false;
     for (size_t at = 0; at + inner->length <= outer->length; at++)
         if (memcmp(outer->difference + at, inner->difference, inner->length) == 0)
             return true;
@@ -116,9 +119,12 @@ static size_t overlap(const struct shape *a, const struct shape *b)
 {
     size_t most = (a->length < b->length ? a->length : b->length);
 
-    for (size_t count = most > 0 ? most - 1 : 0; count > 0; count--)
-        if (memcmp(a->difference + a->length - count, b->difference, count) == 0)
+    for (size_t count = most > 0 ? most - 1 : 0; count > 0; count--) {
+        const uint8_t *end = a->difference + a->length - count;
+
+        if (*end == *b->difference && memcmp(end, b->difference, count) == 0)
             return count;
+    }
     return 0;
 }
 
@@ -151,15 +157,19 @@ static bool join_shapes(struct plan *plan)
     size_t next[BYTE_VALUES], known[BYTE_VALUES];
     bool covered[BYTE_VALUES], follows[BYTE_VALUES];
     static uint8_t overlaps[BYTE_VALUES][BYTE_VALUES];
-    size_t most = 0;
+    size_t least_cells = plan->strip_cells - 1, most = 0;
 
     for (size_t i = 0; i < plan->shape_count; i++) {
         next[i] = BYTE_VALUES;
         known[i] = 0;
         covered[i] = follows[i] = false;
         for (size_t j = 0; j < plan->shape_count; j++)
-            covered[i] |= j != i && contains(&plan->shapes[j], &plan->shapes[i]);
+            covered[i] |= contains(&plan->shapes[j], &plan->shapes[i]);
+        least_cells += !covered[i];
     }
+    /* At best each shape begins one cell behind the one before. */
+    if (least_cells > BYTE_VALUES)
+        return false;
     for (size_t i = 0; i < plan->shape_count; i++) {
         for (size_t j = 0; j < plan->shape_count; j++) {
             bool apart = i == j || covered[i] || covered[j];
