@@ -276,7 +276,7 @@ LUT_packed-256      := tables/brake.fis --encoding=packed --grid=256x40
 LUT_packed-gap      := tables/gap.fis --encoding=packed
 LUT_packed-wide     := tables/gap.fis --encoding=packed --levels=200
 LUT_CASES := plain packed plain-repaired packed-repaired plain-one-input plain-256 packed-256 packed-gap packed-wide
-LUT_IMAGES := $(LUT_CASES:%=build/lut/%/all_cells.ihx)
+LUT_IMAGES := $(LUT_CASES:%=build/lut/%/all_cells.ihx) $(LUT_CASES:%=build/lut/%/host)
 define lut_rules
 build/lut/$(1)/lut_table.h: $(firstword $(LUT_$(1))) build/fistab
 	@mkdir -p $$(@D)
@@ -287,6 +287,8 @@ build/lut/$(1)/%.rel: %.c build/lut/$(1)/lut_table.h
 	$$(Q)$(SDCC) -Ifirmware/core -Ibuild/lut/$(1) -MMD -c $$< -o $$@
 build/lut/$(1)/all_cells.ihx: build/lut/$(1)/tests/lut/all_cells.rel build/lut/$(1)/firmware/core/lut.rel
 	$$(Q)$(SDCC) $$^ -o $$@
+build/lut/$(1)/host: tests/lut/host.c firmware/core/lut.c build/lut/$(1)/lut_table.h
+	$$(Q)$(CC) -g -O1 $(SANITIZE) $(HOST_FLAGS) -Ifirmware/core -Ibuild/lut/$(1) tests/lut/host.c firmware/core/lut.c -o $$@
 endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 

@@ -54,7 +54,7 @@ uint8_t lut_at(uint8_t row, uint8_t col)
     run_low += ones[row];
 
     run = PAGES(strip);
-    run <<= 8;
+    run = (uint16_t)(run << 8);
     run |= run_low;
     col += STARTS(run);
     return (uint8_t)(BASES(run) + SHAPES(col));

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Every cell of every table of build/lut, looked up on the chip by the code that ships, against
-# fistab's CSV; the cycles of each look-up; the check sum.
+# Every cell of every table of build/lut, looked up on the chip by the code that ships, and on the
+# host by the same code, against fistab's CSV; the cycles of each look-up; the check sum.
 set -u
 failed=0
 cases=0
@@ -28,6 +28,9 @@ for dir in build/lut/*/; do
     tail -n +2 "$dir/cells.csv" | sed 's/.*,//' >"$dir/cells.fistab"
     difference=$(cmp "$dir/cells.fistab" "$dir/cells.chip" 2>&1) && [ -s "$dir/cells.fistab" ]
     verdict "$dir" every_cell_is_fistabs $? "$difference ($(wc -l <"$dir/cells.chip") cells came)"
+
+    "$dir/host" >"$dir/host.bin" 2>"$dir/host.log" && cmp -s "$dir/host.bin" "$dir/cells.bin"
+    verdict "$dir" the_host_has_the_same_cells $? "see $dir/host.log"
 
     case $dir in
     */plain-256) limit=25 ;; # 256 columns: a shift in place of the `mul ab`
