@@ -29,13 +29,15 @@ $(error no board '$(BOARD)'; the boards are: $(BOARDS))
 endif
 endif
 
-.PHONY: all tools firmware demo test help clean deps
+.PHONY: all tools firmware demo report test help clean deps
 all: tools firmware
 
 help:
 	@echo "make                 tools and firmware of all boards, with the memory each takes"
 	@echo "make BOARD=NAME      one board: $(BOARDS)"
 	@echo "make demo            a car stops behind another one, with the real firmware in the simulator"
+	@echo "make report          every controller on every scenario, as build/report/index.html; knobs: BOARD, JOBS,"
+	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
 	@echo "make test            all tests; ends with 'N passed, N failed'"
 	@echo "make deps            installs what the build needs"
 	@echo "make clean           removes build/"
@@ -305,8 +307,13 @@ run-demo: tools
 	@$(MAKE) BOARD=stc89c516rd firmware
 	@tools/demo.sh stc89c516rd
 
+# --- the report -------------------------------------------------------------------------------
+.PHONY: run-report
+run-report: all
+	@tools/report/report.sh $(or $(BOARD),stc89c516rd)
+
 # --- targets that install what they need first -------------------------------------------------
-demo test:
+demo report test:
 	@tools/deps.sh $@
 	@$(MAKE) run-$@
 

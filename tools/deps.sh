@@ -11,10 +11,10 @@ packages_for() {
     case $1 in
     build) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
-    test) echo "$build gnuplot-nox parallel" ;;
+    test) echo "$build gnuplot-nox parallel chromium" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
     fuzz) echo "$build clang libclang-rt-14-dev" ;;
-    report) echo "$build gnuplot-nox parallel chromium" ;;
+    report) echo "$build gnuplot-nox parallel rsync" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
     flash) echo "avrdude pipx" ;;
     *)

@@ -1,0 +1,151 @@
+#!/bin/bash
+# The report: its scenarios, its runs (complete, failed, interrupted, changed), and its page, which
+# headless Chromium loads and goes through by itself.
+set -u
+place=tests/tools/test_report.sh
+out=build/tests/report
+rm -rf "$out"
+mkdir -p "$out"
+failed=0
+
+case_is() { # LINE, NAME, what is wrong or nothing
+    if [ -z "$3" ]; then
+        echo "$place:$1:$2:PASS"
+    else
+        echo "$place:$1:$2:FAIL: $3"
+        failed=1
+    fi
+}
+
+# --- scenarios -------------------------------------------------------------------------------------
+tools/report/scenarios.sh --map=fine "$out/scenarios" && tools/report/scenarios.sh --map=fine "$out/again"
+wrong=$(diff -r "$out/scenarios" "$out/again" | head -n 1)
+case_is $LINENO same_scenarios_each_time "$wrong"
+
+wrong=$(build/drive list "$out/scenarios" 2>&1 >"$out/list" | head -n 3)
+[ "$(wc -l <"$out/list")" -ge "$(ls "$out/scenarios" | wc -l)" ] || wrong="$wrong $(wc -l <"$out/list") lines for $(ls "$out/scenarios" | wc -l) files"
+case_is $LINENO drive_reads_every_scenario "$wrong"
+
+# By hand, A = 8 m/s2, L = 0.35 s, 5 m: 6.5 m/s needs 6.5 * 0.35 + 6.5^2 / 16 = 4.92 m; 6.75 m/s needs 5.21 m
+# and arrives with sqrt(6.75^2 - 16 * (5 - 6.75 * 0.35)) = 1.83; 20 m/s is there before the brake acts.
+# Both at 10 m/s, 5 m apart, 10 m/s2: the brake acts at 0.43 s, when 0.9246 m are lost and the lead does
+# 5.7 m/s; it stands at 1 s after 5 m; the own car, then at 10 - 8 * 0.57 = 5.44 m/s, has driven 8.7004 m,
+# has 1.2996 m left and arrives with sqrt(5.44^2 - 16 * 1.2996) = 2.97.
+owed() {
+    sed -n '/^\[expect\]/,$p' "$out/scenarios/$1.scn" | grep -q "^$2\$" || echo "$1 does not owe $2;"
+}
+wrong="$(owed limit_6.50 'impact = none')$(owed limit_6.75 'impact_mps <= 1.83')$(owed seen_20.0 'impact_mps <= 20.00')"
+wrong="$wrong$(owed map_v10_b10 'impact_mps <= 2.97')$(owed map_v10_b08 'impact = none')$(owed false_open 'max_brake_pct <= 0')"
+wrong="$wrong$(owed ccrb_030_1s 'full_brake_within_s <= 0.06')"
+case_is $LINENO outcomes_as_worked_by_hand "$wrong"
+
+# --- runs ---------------------------------------------------------------------------------------------
+# A drive that can be told to fail: it notes each run, dies on scenarios named in $out/die, ends without
+# a result on those in $out/empty, waits on all while $out/slow is there.
+cat >"$out/drive" <<END
+#!/bin/sh
+for word; do case \$word in *.scn) name=\$(basename "\$word" .scn) ;; esac done
+echo "\$name" >>$out/calls
+[ ! -f $out/slow ] || sleep 2
+if grep -qx "\$name" $out/die 2>/dev/null; then kill -9 \$\$; fi
+if grep -qx "\$name" $out/empty 2>/dev/null; then exit 0; fi
+exec build/drive "\$@"
+END
+chmod +x "$out/drive"
+run_report() {
+    DRIVE=$out/drive REPORT_OUT=$out/report MAP=coarse JOBS=2 ONLY=${only:-'seen_02.0 false_open cutin_1.5'} \
+        tools/report/report.sh ${board:-stc89c516rd} >"$out/log" 2>&1
+}
+calls() {
+    wc -l 2>/dev/null <"$out/calls" || echo 0
+}
+# What the page says of its test of itself, in a frame as wide as WIDTH pixels: a window has at least 500.
+# Chromium's own log shows what the page said on the console.
+self_test() { # WIDTH
+    local profile
+    profile=$(mktemp -d)
+    cat >"$out/frame.html" <<END
+<html><body><iframe src="report/index.html#selftest" style="border:0;width:$1px;height:900px"></iframe>
+<script>onmessage = (message) => { document.body.append(["said", message.data].join(": ")); };</script>
+END
+    timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking \
+        --disable-component-update --disable-sync --user-data-dir="$profile" --enable-logging=stderr \
+        --window-size=1400,1000 --virtual-time-budget=30000 --dump-dom "file://$PWD/$out/frame.html" \
+        2>"$out/browser" | sed -n 's/.*said: \([^<]*\).*/\1/p'
+    rm -rf "$profile"
+}
+page_fault() { # WIDTH
+    local said
+    said=$(self_test "$1")
+    [[ $said == "passed: "*" 0 faults, $1 px wide" ]] || echo "the page says: '$said'"
+    grep CONSOLE "$out/browser" | head -n 3
+}
+
+echo false_open >"$out/die"
+echo cutin_1.5 >"$out/empty"
+run_report
+status=$?
+wrong=
+[ $status = 1 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
+[ "$(grep -c '"ok":true' "$out/report/work/brake.json")" = 1 ] || wrong="$wrong not one good run"
+[ "$(grep -c '"ok":false' "$out/report/work/brake.json")" = 2 ] || wrong="$wrong not two failed runs"
+grep -q '2 runs failed' "$out/log" || wrong="$wrong the failures are not said"
+case_is $LINENO a_failed_run_is_reported_and_loses_no_other "$wrong"
+
+wrong=$(page_fault 1280)
+grep -q '"error":"exit status 2: drive ended with 0 but left no result"' "$out/report/index.html" || wrong="$wrong no reason is given"
+case_is $LINENO the_page_names_failed_runs "$wrong"
+
+rm -f "$out/die" "$out/empty" "$out/calls"
+run_report
+status=$?
+wrong=
+[ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
+[ "$(sort "$out/calls" | tr '\n' ' ')" = "cutin_1.5 false_open " ] || wrong="$wrong ran $(tr '\n' ' ' <"$out/calls")"
+case_is $LINENO only_failed_runs_are_run_again "$wrong"
+
+rm -f "$out/calls"
+run_report
+case_is $LINENO nothing_is_run_twice "$([ "$(calls)" = 0 ] || echo "$(calls) runs")"
+
+# Another drive, another image (here of another board): other results. The old ones stay good.
+rm -f "$out/calls"
+echo '# changed' >>"$out/drive"
+run_report
+run_report
+wrong=
+[ "$(calls)" = 3 ] || wrong="$(calls) runs with another drive"
+board=generic8052 run_report
+[ "$(calls)" = 6 ] || wrong="$wrong $(calls) runs with another image"
+run_report
+[ "$(calls)" = 6 ] || wrong="$wrong $(calls) runs back with the first image"
+case_is $LINENO results_are_bound_to_their_inputs "$wrong"
+
+# Interrupted in the middle of runs: what was complete stays, the rest follows.
+rm -rf "$out/report/runs" "$out/calls"
+touch "$out/slow"
+only='seen_0[0-5]* cutin_* map_*' setsid bash -c "$(declare -f run_report); out=$out; run_report" &
+group=$!
+for _ in $(seq 100); do
+    sleep 0.2
+    [ "$(find "$out/report/runs" -name exit 2>/dev/null | grep -vc part)" -ge 2 ] && break
+done
+kill -TERM -- -$group
+wait $group 2>/dev/null
+rm -f "$out/slow"
+done_before=$(find "$out/report/runs" -name exit | grep -vc part)
+wanted=$(ls "$out/report/scenarios" | grep -cE '^(seen_0[0-5]|cutin_|map_)')
+rm -f "$out/calls"
+only='seen_0[0-5]* cutin_* map_*' run_report
+wrong=
+[ "$done_before" -ge 2 ] && [ "$done_before" -lt "$wanted" ] || wrong="$done_before of $wanted were done when it was interrupted"
+[ "$(calls)" = $((wanted - done_before)) ] || wrong="$wrong $(calls) runs to complete $done_before of $wanted"
+[ "$(grep -c '"ok":true' "$out/report/work/brake.json")" = "$wanted" ] || wrong="$wrong not all are there"
+case_is $LINENO an_interrupted_report_goes_on "$wrong"
+
+# --- the page --------------------------------------------------------------------------------------------
+for width in 1280 375; do
+    case_is $LINENO "page_works_at_${width}_px" "$(page_fault $width)"
+done
+case_is $LINENO page_needs_no_network "$(grep -oiE '(src|href|url\()[= ]*["'\'']?(https?:)?//[^"'\'' >]*' "$out/report/index.html" | head -n 1)"
+exit $failed

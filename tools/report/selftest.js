@@ -1,0 +1,75 @@
+/* index.html#selftest goes through everything that a reader can touch and writes what it found into
+ * the root element's data-selftest: "passed: N checks, ..." or "failed: ...", with a list of faults at the
+ * end of the page; a page around it gets the same as a message. Errors of any origin count, so the
+ * handlers come first in the page's script. */
+"use strict";
+
+const pageErrors = [];
+addEventListener("error", (event) => pageErrors.push(`error: ${event.message}`));
+addEventListener("unhandledrejection", (event) => pageErrors.push(`rejection: ${event.reason}`));
+
+function selfTest() {
+    const faults = [];
+    let checks = 0;
+    const check = (good, what) => { checks++; if (!good) faults.push(what); };
+    const clean = (text) => !/NaN|undefined|Infinity/.test(text);
+    const move = (slider, value) => { slider.value = value; slider.dispatchEvent(new Event("input", { bubbles: true })); };
+
+    for (const tab of tabs) {
+        tab.button.click();
+        const panel = tab.content.panel;
+        check(!panel.hidden && tabs.every((one) => one === tab || !one.content || one.content.panel.hidden), `${tab.id}: alone in sight`);
+        check(document.documentElement.scrollWidth <= innerWidth, `${tab.id}: ${document.documentElement.scrollWidth} px wide in a window of ${innerWidth}`);
+        for (const one of panel.querySelectorAll("figure"))
+            check(one.closest(".trace") || one.querySelector("svg"), `${tab.id}: a figure is missing`);
+        const player = tab.content.player, description = data.tabs.find((one) => one.id === tab.id);
+        if (player) testPlayer(tab, description, player);
+        check(clean(panel.textContent), `${tab.id}: NaN or undefined in the text`);
+    }
+    tabs[0].button.click();
+
+    function testPlayer(tab, description, player) {
+        const root = player.element, slider = root.querySelector("input[type=range]"), scene = root.querySelector("svg.scene");
+        const clock = root.querySelector(".transport output"), choice = root.querySelector("select.scenario");
+        let moved = 0;
+        for (const option of choice.options) {
+            choice.value = option.value;
+            choice.dispatchEvent(new Event("change"));
+            for (const chip of root.querySelectorAll(".chips button")) {
+                if (chip.disabled) continue;
+                chip.click();
+                const frames = [0, 333, 1000].map((value) => {
+                    move(slider, value);
+                    const wanted = `${(value / 1000 * player.state.end_s).toFixed(2)} s`, place = `${tab.id}: ${option.value}, ${chip.textContent}, ${value}`;
+                    check(clock.textContent === wanted, `${place}: the clock shows ${clock.textContent}, not ${wanted}`);
+                    check(scene.childElementCount > 0 && clean(scene.innerHTML), `${place}: the scene is empty or broken`);
+                    return scene.innerHTML;
+                });
+                if (frames[0] !== frames[2]) moved++;
+            }
+        }
+        check(moved > 0, `${tab.id}: nothing moves`);
+        const play = root.querySelector(".play");
+        move(slider, 0);
+        play.click();
+        check(player.state.playing, `${tab.id}: does not play`);
+        play.click();
+        check(!player.state.playing, `${tab.id}: does not pause`);
+        const all = tab.content.panel.querySelectorAll("tr[data-scenario]");
+        check(all.length === description.groups.filter((group) => group.listed).reduce((sum, group) => sum + group.scenarios.length, 0), `${tab.id}: ${all.length} rows`);
+        const rows = tab.content.panel.querySelectorAll("tr.run");
+        const last = rows[rows.length - 1];
+        last.click();
+        check(player.state.scenario === last.dataset.scenario, `${tab.id}: a row does not choose its scenario`);
+        show(player, description);
+    }
+
+    function show(player, description) {
+        player.show(description.first in description.scenarios ? description.first : player.state.scenario);
+    }
+
+    faults.push(...pageErrors);
+    document.documentElement.dataset.selftest = `${faults.length ? "failed" : "passed"}: ${checks} checks, ${faults.length} faults, ${innerWidth} px wide`;
+    if (parent !== window) parent.postMessage([document.documentElement.dataset.selftest, ...faults.slice(0, 5)].join("; "), "*");
+    document.body.append(make("pre", { id: "selftest" }, faults.slice(0, 50).join("\n")));
+}
