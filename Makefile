@@ -2,6 +2,8 @@
 
 # --- knobs ------------------------------------------------------------------------------------
 BOARD    ?=#                   one board of firmware/boards; empty: all of them
+APP      ?= brake#             what flash writes
+PORT     ?=#                   where the flasher finds the chip
 TABLE    ?= tables/brake.fis#  the brake's fuzzy system
 ESTIMATOR ?= difference#       what gives the brake its closing speed: difference or smooth
 V        ?=#                   V=1 prints each command
@@ -39,6 +41,7 @@ help:
 	@echo "make report          every controller on every scenario, as build/report/index.html; knobs: BOARD, JOBS,"
 	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
 	@echo "make test            all tests; ends with 'N passed, N failed'"
+	@echo "make flash BOARD=NAME PORT=DEVICE   writes APP=$(strip $(APP)) to a chip"
 	@echo "make deps            installs what the build needs"
 	@echo "make clean           removes build/"
 
@@ -123,7 +126,9 @@ SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
 
 # --- firmware: one board in this make, or one make a board ------------------------------------
 ifeq ($(BOARD),)
-.PHONY: $(BOARDS:%=firmware-%)
+.PHONY: flash $(BOARDS:%=firmware-%)
+flash:
+	$(error say which board: make flash BOARD=NAME PORT=DEVICE; the boards are: $(BOARDS))
 firmware: $(BOARDS:%=firmware-%)
 $(BOARDS:%=firmware-%): firmware-%: build/fistab
 	@$(MAKE) BOARD=$* firmware
@@ -168,6 +173,16 @@ $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(f
 	@mkdir -p $(@D)
 	$(Q)tools/check_isr.sh $(^:.rel=.asm)
 	$(Q)$(SDCC) $(SDCC_LINK) $^ -o $@
+
+# The flasher that suits the chip, its wiring and, when it is missing, where to get it.
+HEX = $(OUT)/$(APP).hex
+.PHONY: flash
+flash: $(OUT)/$(APP).hex
+	@[ -n "$(FLASH)" ] || { echo "make flash: error: $(BOARD) has no flasher of its own; write $(HEX) with your chip's tool" >&2; exit 1; }
+	@command -v $(firstword $(FLASH)) >/dev/null || { echo "make flash: error: $(firstword $(FLASH)) is missing: $(FLASH_GET)" >&2; exit 1; }
+	@[ -n "$(PORT)" ] || { echo "make flash: error: say where the chip is: make flash BOARD=$(BOARD) PORT=/dev/ttyUSB0" >&2; exit 1; }
+	@echo "$(FLASH_HOW)"
+	$(FLASH)
 
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null

@@ -22,4 +22,8 @@ PIN_LANE     := 0x97
 PIN_ECHO     := 0xB2
 PIN_OVERRIDE := 0xB3
 
-FLASH = avrdude -p AT89S52 -c usbasp -P $(PORT) -U flash:w:$(HEX):i
+# An STK500-style programmer: an ArduinoISP is one. avrdude 7.1 needs the part explained.
+FLASH      = avrdude -C +firmware/boards/at89s52.conf -c $(PROGRAMMER) -b 19200 -P $(PORT) -p AT89S52 -U flash:w:$(HEX):i
+FLASH_GET := tools/deps.sh flash
+FLASH_HOW := Wire MOSI P1.5, MISO P1.6, SCK P1.7, RST (high while programming), ground; a crystal must be fitted.
+PROGRAMMER ?= avrisp

@@ -22,4 +22,5 @@ PIN_LANE     := 0x97
 PIN_ECHO     := 0xB2
 PIN_OVERRIDE := 0xB3
 
-FLASH = echo "generic8052 has no flasher of its own: write $(HEX) with the tool of your chip"
+# No chip, so no flasher: give the command of yours, FLASH='mytool $(HEX)'.
+FLASH     ?=

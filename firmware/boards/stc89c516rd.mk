@@ -22,4 +22,6 @@ PIN_LANE     := 0x97
 PIN_ECHO     := 0xB2
 PIN_OVERRIDE := 0xB3
 
-FLASH = stcgal -P stc89 -p $(PORT) $(HEX)
+FLASH      = stcgal -P stc89 -p $(PORT) $(HEX)
+FLASH_GET := tools/deps.sh flash && pipx install stcgal
+FLASH_HOW := Wire RXD P3.0, TXD P3.1, ground to a 5 V serial adapter; start, then switch the chip off and on.
