@@ -13,6 +13,8 @@
 /* Hard braking is what UN R152 asks of emergency braking. */
 static const double hard_braking_mps2 = 5.0;
 static const double duty_step_pct = 2.0;
+static const int64_t max_pause_ns = 1000000000;
+static const int64_t guess_margin_ns = 2000000; /* that a trigger may come earlier than ever */
 
 struct world {
     struct car car;
@@ -22,7 +24,8 @@ struct world {
     double event_s, hold_s; /* as in the scenario */
     int64_t now_ns, event_ns;
     int64_t trigger_rise_ns;
-    int64_t mark_ns; /* the next boundary of a fault */
+    int64_t trigger_fall_ns, trigger_pause_ns; /* the last one; the shortest pause so far */
+    int64_t mark_ns;                           /* the next boundary of a fault */
     struct {
         int64_t at_ns[2];
         int next;
@@ -116,6 +119,13 @@ static int64_t horizon_ns(const struct world *world, int64_t t_ns)
     return sonar_horizon_ns(&world->sonar, t_ns);
 }
 
+static int64_t guess_ns(const struct world *world, int64_t t_ns)
+{
+    int64_t next_ns = world->trigger_fall_ns + world->trigger_pause_ns - guess_margin_ns;
+
+    return sonar_horizon_ns(&world->sonar, next_ns > t_ns ? next_ns : t_ns);
+}
+
 static int64_t mark_ns(const struct world *world)
 {
     return world->mark_ns;
@@ -129,7 +139,13 @@ static void trigger_ends(struct world *world)
     double closing = isinf(gap) ? 0 : world->car.v_mps - car_lead_mps(&world->car);
     enum sonar_answer answer = sonar_trigger(&world->sonar, world->now_ns,
                                              world->now_ns - world->trigger_rise_ns, gap, closing);
+    int64_t pause_ns = world->now_ns - world->trigger_fall_ns;
 
+    /* A pause of more than a second says nothing about the pace. */
+    if (world->trigger_fall_ns > 0 && pause_ns < max_pause_ns &&
+        (world->trigger_pause_ns == 0 || pause_ns < world->trigger_pause_ns))
+        world->trigger_pause_ns = pause_ns;
+    world->trigger_fall_ns = world->now_ns;
     if (answer == SONAR_MISSING && !world->blind) {
         world->blind = true;
         world->blind_from_pct = world->car.demand_pct;
@@ -322,6 +338,7 @@ const struct world_class brake_world = {
     .advance = advance,
     .next_input = next_input,
     .horizon_ns = horizon_ns,
+    .guess_ns = guess_ns,
     .mark_ns = mark_ns,
     .state_reported = state_reported,
     .is_over = is_over,

@@ -49,7 +49,7 @@ static const struct argp_option options[] = {
     {"live", OPT_LIVE, NULL, 0, "draws the road while it runs", 2},
     {"brief", OPT_BRIEF, NULL, 0, "prints test lines only: PLACE:LINE:NAME:PASS or FAIL", 2},
     {"stats", OPT_STATS, NULL, 0, "prints how long the run took", 2},
-    {"quantum-us", OPT_QUANTUM, "N", 0, "longest time between two syncs, 10..400 (400)", 3},
+    {"quantum-us", OPT_QUANTUM, "N", 0, "syncs at least that often, 10..400 (when needed)", 3},
     {"step-us", OPT_STEP, "N", 0, "longest step of the plant, 10..10000 (1000)", 3},
     {"seed", OPT_SEED, "N", 0, "of the noise (the scenario's)", 3},
     {0},
@@ -58,7 +58,7 @@ static const struct argp_option options[] = {
 struct arguments {
     const char *hex, *board, *scenario;
     struct trace_paths paths;
-    bool live, brief, stats, has_seed;
+    bool live, brief, stats, has_seed, guess;
     int quantum_us, step_us;
     unsigned long seed;
     char *settings[MAX_SETTINGS];
@@ -116,6 +116,7 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         arguments->stats = true;
         break;
     case OPT_QUANTUM:
+        arguments->guess = false;
         arguments->quantum_us = (int)parse_count(state, "quantum-us", text, 10, RUN_QUANTUM_US);
         break;
     case OPT_STEP:
@@ -241,10 +242,10 @@ static int report(const struct run *run, const struct scenario *scenario,
         if (!judge(&scenario->expect[i], &run->outcome, arguments))
             status = EXIT_INPUT;
     if (arguments->stats)
-        printf("  %.2f s simulated in %.2f s: %.2f times real time, %lld syncs\n",
+        printf("  %.2f s simulated in %.2f s: %.2f times real time, %lld syncs%s\n",
                (double)(run->boot_ns + run->duration_ns) * 1e-9, run->wall_s,
                (double)(run->boot_ns + run->duration_ns) * 1e-9 / run->wall_s,
-               (long long)run->syncs);
+               (long long)run->syncs, run->restarts > 0 ? ", begun again" : "");
     return status;
 }
 
@@ -256,7 +257,8 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
     struct trace trace;
     struct live live;
     struct run run;
-    struct run_observer observers[] = {{&trace, trace_pin, trace_row}, {&live, NULL, live_row}};
+    struct run_observer observers[] = {{&trace, trace_restart, trace_pin, trace_row},
+                                       {&live, NULL, NULL, live_row}};
     int status;
 
     if (trace_open(&trace, &arguments->paths, &brake_world) != EXIT_FINE)
@@ -299,6 +301,7 @@ static int command_run(const struct arguments *arguments)
                       arguments->setting_count) != EXIT_FINE)
         return EXIT_INPUT;
     add_understood(&scenario);
+    setup.guess = arguments->guess && !arguments->live;
     setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;
     if (canary_check_version() != EXIT_FINE)
         return EXIT_USAGE;
@@ -307,7 +310,8 @@ static int command_run(const struct arguments *arguments)
 
 int main(int argc, char **argv)
 {
-    struct arguments arguments = {.quantum_us = RUN_QUANTUM_US, .step_us = WORLD_STEP_NS / 1000};
+    struct arguments arguments = {
+        .guess = true, .quantum_us = RUN_QUANTUM_US, .step_us = WORLD_STEP_NS / 1000};
     const char *command;
 
     argp_err_exit_status = EXIT_USAGE;

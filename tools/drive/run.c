@@ -10,7 +10,10 @@
 #include <string.h>
 #include <time.h>
 
-enum { INPUTS = BOARD_PINS - BOARD_OUTPUTS };
+enum {
+    INPUTS = BOARD_PINS - BOARD_OUTPUTS,
+    PAST_NS = 2000 /* a mark is passed up to a cycle late */
+};
 
 struct loop {
     struct run *run;
@@ -24,6 +27,7 @@ struct loop {
     int64_t start_ns; /* of the scenario, in the simulator's time */
     int64_t now_ns;   /* of the scenario */
     bool sent;        /* the scenario's bytes for the serial line */
+    bool guess, late; /* an input would have been due before the present: the guess was wrong */
     struct {
         int64_t t_ns;
         enum board_pin pin;
@@ -141,9 +145,11 @@ static int64_t next_sync_ns(const struct loop *loop, int64_t t_ns)
 {
     /* The sensor's delay bounds the way; a shorter quantum shortens it. */
     int64_t margin_ns = (RUN_QUANTUM_US + RUN_MARGIN_US - loop->setup->quantum_us) * 1000LL;
-    int64_t next_ns = loop->class->horizon_ns(loop->world, loop->now_ns) - margin_ns;
     int64_t mark_ns = loop->class->mark_ns(loop->world);
+    int64_t next_ns = loop->guess ? loop->class->guess_ns(loop->world, loop->now_ns)
+                                  : loop->class->horizon_ns(loop->world, loop->now_ns);
 
+    next_ns -= margin_ns;
     if (mark_ns < next_ns)
         next_ns = mark_ns;
     if (t_ns < next_ns)
@@ -159,6 +165,8 @@ static void take_inputs(struct loop *loop, int64_t until_ns)
     bool level;
 
     while (loop->class->next_input(loop->world, until_ns, &t_ns, &pin, &level)) {
+        if (t_ns < loop->now_ns - PAST_NS)
+            loop->late = true;
         s51_set_pin(&loop->sim, loop->start_ns + t_ns, (int)pin - BOARD_OUTPUTS, level);
         loop->inputs[loop->input_count].t_ns = t_ns;
         loop->inputs[loop->input_count].pin = pin;
@@ -175,6 +183,8 @@ static enum s51_status run_to(struct loop *loop, int64_t t_ns)
         enum s51_status status;
 
         take_inputs(loop, sync_ns - loop->start_ns);
+        if (loop->late)
+            return S51_FAILED;
         status = s51_run_to(&loop->sim, sync_ns);
         loop->run->syncs++;
         take_edges(loop);
@@ -297,37 +307,68 @@ static int start_simulator(struct loop *loop)
     return s51_start(&loop->sim, &setup);
 }
 
+/* Once through the scenario. LATE: no result, because a guess was wrong. */
+static int run_once(struct loop *loop, bool *late)
+{
+    struct run *run = loop->run;
+    const struct run_setup *setup = loop->setup;
+    enum s51_status status;
+
+    *late = false;
+    telemetry_init(&run->telemetry);
+    run->outcome.uart = run->telemetry.log;
+    run->outcome.values[METRIC_RESET_BRAKE] = INFINITY;
+    if (start_simulator(loop) != EXIT_FINE)
+        return EXIT_USAGE;
+    loop->world = loop->class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
+    memset(loop->levels, true, sizeof loop->levels);
+    status = boot(loop);
+    if (status == S51_RAN && run->triggered)
+        status = play(loop);
+    else if (status == S51_RAN)
+        take_uart(loop);
+    loop->class->measure(loop->world, run->duration_ns, &run->outcome);
+    if (status == S51_RESET)
+        status = watch_reset(loop);
+    run->outcome.uart = run->telemetry.log;
+    loop->class->destroy(loop->world);
+    s51_stop(&loop->sim);
+    *late = loop->late;
+    return status == S51_FAILED && !loop->late ? EXIT_USAGE : EXIT_FINE;
+}
+
 int run_scenario(struct run *run, const struct run_setup *setup,
                  const struct run_observer *observers, int observer_count)
 {
-    struct loop loop = {.run = run,
-                        .setup = setup,
-                        .class = &brake_world,
-                        .observers = observers,
-                        .observer_count = observer_count};
     double begin_s = wall_s();
-    enum s51_status status;
+    bool late = false;
+    int restarts = 0, status;
 
-    memset(run, 0, sizeof *run);
-    run->outcome.values[METRIC_RESET_BRAKE] = INFINITY;
-    telemetry_init(&run->telemetry);
-    if (start_simulator(&loop) != EXIT_FINE)
-        return EXIT_USAGE;
-    loop.world = loop.class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
-    memset(loop.levels, true, sizeof loop.levels);
-    status = boot(&loop);
-    if (status == S51_RAN && run->triggered)
-        status = play(&loop);
-    else if (status == S51_RAN)
-        take_uart(&loop);
-    loop.class->measure(loop.world, run->duration_ns, &run->outcome);
-    if (status == S51_RESET)
-        status = watch_reset(&loop);
-    run->outcome.uart = run->telemetry.log;
-    loop.class->destroy(loop.world);
-    s51_stop(&loop.sim);
+    do {
+        struct loop loop = {.run = run,
+                            .setup = setup,
+                            .class = &brake_world,
+                            .observers = observers,
+                            .observer_count = observer_count,
+                            .guess = setup->guess && !late};
+
+        if (late) {
+            restarts++;
+            run_free(run);
+            for (int i = 0; i < observer_count; i++)
+                if (observers[i].restart != NULL)
+                    observers[i].restart(observers[i].user);
+        }
+        memset(run, 0, sizeof *run);
+        run->restarts = restarts;
+        status = run_once(&loop, &late);
+    } while (late && restarts == 0);
+    if (late) {
+        diag_error(NULL, 0, "the plant answers too late; that is a fault of drive");
+        status = EXIT_USAGE;
+    }
     run->wall_s = wall_s() - begin_s;
-    return status == S51_FAILED ? EXIT_USAGE : EXIT_FINE;
+    return status;
 }
 
 void run_free(struct run *run)

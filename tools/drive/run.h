@@ -26,11 +26,13 @@ struct run_setup {
     uint64_t seed;
     int quantum_us;
     int step_us;
+    bool guess; /* run ahead while no trigger is expected; begin again without, if one comes */
 };
 
 /* Who looks on; each function may be NULL. Times are of the scenario. */
 struct run_observer {
     void *user;
+    void (*restart)(void *user); /* forget all: the run begins again */
     void (*pin)(void *user, int64_t t_ns, enum board_pin pin, bool level);
     void (*row)(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
                 const struct telemetry *telemetry);
@@ -42,6 +44,7 @@ struct run {
     int64_t boot_ns;     /* reset to first trigger */
     int64_t duration_ns; /* of the scenario */
     int64_t syncs;
+    int restarts; /* 1: a guess was wrong, and the run is a second one without guesses */
     double wall_s;
     bool triggered; /* the controller came as far as its first trigger */
 };

@@ -241,49 +241,97 @@ void trace_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
         json_row(trace, t_ns, values, state);
 }
 
-int trace_open(struct trace *trace, const struct trace_paths *paths,
-               const struct world_class *class)
+static void memory_begin(struct trace_file *file)
 {
-    const char *const wanted[] = {paths->csv, paths->vcd, paths->json, paths->uart};
-    struct outfile *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+    file->stream = open_memstream(&file->text, &file->size);
+    if (file->stream == NULL)
+        abort();
+}
 
-    memset(trace, 0, sizeof *trace);
-    trace->class = class;
+static void memory_end(struct trace_file *file)
+{
+    if (file->stream != NULL)
+        fclose(file->stream);
+    free(file->text);
+    file->stream = NULL;
+    file->text = NULL;
+}
+
+static void begin(struct trace *trace)
+{
     trace->vcd_ns = -1;
-    for (int i = 0; i < 4; i++)
-        if (wanted[i] != NULL && outfile_open(files[i], wanted[i]) != EXIT_FINE) {
-            trace_abandon(trace);
-            return EXIT_INPUT;
-        }
+    trace->vcd_state[0] = '\0';
+    for (int i = 0; i < WORLD_COLUMNS + 2; i++)
+        trace->series[i].length = 0;
     if (trace->csv.stream != NULL)
         csv_begin(trace);
     if (trace->vcd.stream != NULL)
         vcd_begin(trace);
+}
+
+int trace_open(struct trace *trace, const struct trace_paths *paths,
+               const struct world_class *class)
+{
+    const char *const wanted[] = {paths->csv, paths->vcd, paths->json, paths->uart};
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+
+    memset(trace, 0, sizeof *trace);
+    trace->class = class;
+    for (int i = 0; i < 4; i++) {
+        if (wanted[i] == NULL)
+            continue;
+        if (outfile_open(&files[i]->out, wanted[i]) != EXIT_FINE) {
+            trace_abandon(trace);
+            return EXIT_INPUT;
+        }
+        memory_begin(files[i]);
+    }
+    begin(trace);
     return EXIT_FINE;
+}
+
+void trace_restart(void *user)
+{
+    struct trace *trace = user;
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd};
+
+    for (int i = 0; i < 2; i++)
+        if (files[i]->stream != NULL) {
+            memory_end(files[i]);
+            memory_begin(files[i]);
+        }
+    begin(trace);
 }
 
 int trace_commit(struct trace *trace, const struct run *run, const struct run_setup *setup)
 {
-    struct outfile *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
     int status = EXIT_FINE;
 
     if (trace->json.stream != NULL)
         json_write(trace, run, setup);
     if (trace->uart.stream != NULL)
         fwrite(run->telemetry.log, 1, run->telemetry.length, trace->uart.stream);
-    for (int i = 0; i < 4; i++)
-        if (files[i]->stream != NULL && outfile_commit(files[i]) != EXIT_FINE)
+    for (int i = 0; i < 4; i++) {
+        if (files[i]->stream == NULL)
+            continue;
+        fflush(files[i]->stream);
+        fwrite(files[i]->text, 1, files[i]->size, files[i]->out.stream);
+        if (outfile_commit(&files[i]->out) != EXIT_FINE)
             status = EXIT_INPUT;
+    }
     trace_abandon(trace);
     return status;
 }
 
 void trace_abandon(struct trace *trace)
 {
-    outfile_abandon(&trace->csv);
-    outfile_abandon(&trace->vcd);
-    outfile_abandon(&trace->json);
-    outfile_abandon(&trace->uart);
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+
+    for (int i = 0; i < 4; i++) {
+        memory_end(files[i]);
+        outfile_abandon(&files[i]->out);
+    }
     for (int i = 0; i < WORLD_COLUMNS + 2; i++)
         free(trace->series[i].text);
     memset(trace->series, 0, sizeof trace->series);

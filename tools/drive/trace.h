@@ -9,7 +9,12 @@
 
 struct trace {
     const struct world_class *class;
-    struct outfile csv, vcd, json, uart;
+    struct trace_file {
+        struct outfile out;
+        FILE *stream; /* in memory until the run is done; NULL: not wanted */
+        char *text;
+        size_t size;
+    } csv, vcd, json, uart;
     int64_t vcd_ns; /* time of the last stamp */
     char vcd_state[TELEMETRY_FIELD_SIZE];
     struct {
@@ -27,6 +32,7 @@ int trace_open(struct trace *trace, const struct trace_paths *paths,
                const struct world_class *class);
 
 /* Its observer's functions; user is the trace. */
+void trace_restart(void *user);
 void trace_pin(void *user, int64_t t_ns, enum board_pin pin, bool level);
 void trace_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
                const struct telemetry *telemetry);

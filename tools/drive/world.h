@@ -45,6 +45,10 @@ struct world_class {
     /* Inputs up to this time do not depend on outputs after T_NS: so far the simulator may run. */
     int64_t (*horizon_ns)(const struct world *world, int64_t t_ns);
 
+    /* The same as a good guess: the controller has never yet been so early with its next trigger.
+     */
+    int64_t (*guess_ns)(const struct world *world, int64_t t_ns);
+
     /* The next time at which the world itself changes how it answers; INT64_MAX: none. The caller
      * advances to exactly there. */
     int64_t (*mark_ns)(const struct world *world);
