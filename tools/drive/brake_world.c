@@ -302,6 +302,7 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     const struct car_record *record = &world->car.record;
     double *value = outcome->values, t_s = seconds(t_ns), since_s = world->event_s;
 
+    outcome->rest_s = record->rest_s;
     value[METRIC_IMPACT] = record->impact;
     value[METRIC_IMPACT_MPS] = record->impact_mps;
     value[METRIC_MIN_GAP] = record->min_gap_m;

@@ -56,6 +56,7 @@ struct expectation {
 /* What a run came to. */
 struct outcome {
     double values[METRIC_COUNT]; /* of the numbers and counts */
+    double rest_s;               /* when the car last came to rest; INFINITY: it did not */
     char final_state[16];
     char states[EXPECT_VALUE]; /* all that occurred, each followed by a blank */
     const char *uart;          /* all that the controller said */

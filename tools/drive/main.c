@@ -182,9 +182,9 @@ static void print_summary(const struct run *run, const struct scenario *scenario
                (double)run->duration_ns * 1e-9);
     else if (isfinite(value[METRIC_STOP_GAP]))
         printf("stopped %.2f m behind the car ahead after %.2f s\n", value[METRIC_STOP_GAP],
-               value[METRIC_STOP_WITHIN] + scenario->event_s);
+               run->outcome.rest_s);
     else
-        printf("stopped with nothing ahead\n");
+        printf("stopped after %.2f s, with nothing ahead\n", run->outcome.rest_s);
     printf("  peak deceleration %.2f m/s2, peak jerk %.1f m/s3, most brake %.0f %%\n",
            value[METRIC_PEAK_DECEL], value[METRIC_PEAK_JERK], value[METRIC_MAX_BRAKE]);
 }

@@ -16,7 +16,7 @@
 
 #define S51_VERSION "0.6.4" /* known to keep time */
 
-enum { S51_MAX_PINS = 12, S51_SILENCE_MS = 3000 };
+enum { S51_MAX_PINS = 12, S51_SILENCE_MS = 500 };
 
 struct s51_setup {
     const char *hex;  /* the image */
@@ -58,6 +58,8 @@ struct s51 {
     int64_t sync_ns; /* s51 stands here */
     int64_t last_ns; /* of the last change read */
     bool was_reset;
+    int silences, waits;  /* how often nothing came, one after the other; and it slept */
+    double silent_from_s; /* its processor time then */
     struct vcd_reader vcd;
     struct s51_edge *edges; /* since the last call of s51_run_to, in order of time */
     size_t edge_count, edge_capacity;
