@@ -13,6 +13,7 @@
 int cmd_eval(int argc, char **argv);
 int cmd_check(int argc, char **argv);
 int cmd_table(int argc, char **argv);
+int cmd_plot(int argc, char **argv);
 
 /* --samples=N and --exact; a child parser whose input is a struct infer_options. */
 extern const struct argp infer_argp;

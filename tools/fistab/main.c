@@ -13,6 +13,7 @@ static const struct {
     {"eval", cmd_eval, "outputs of a system at points"},
     {"check", cmd_check, "what is wrong with a system"},
     {"table", cmd_table, "a system as a C header, or as CSV"},
+    {"plot", cmd_plot, "a system as a picture: its surface and its sets"},
 };
 enum { COMMANDS = sizeof command / sizeof command[0] };
 
