@@ -7,6 +7,7 @@ PORT     ?=#                   where the flasher finds the chip
 TABLE    ?= tables/brake.fis#  the brake's fuzzy system
 ESTIMATOR ?= difference#       what gives the brake its closing speed: difference or smooth
 V        ?=#                   V=1 prints each command
+FUZZ_SECONDS ?= 600#           how long `make fuzz` looks for trouble
 UNITY_DIR ?=#                  a checkout of Unity in place of Debian's copy
 CFLAGS   ?= -O2 -g
 
@@ -42,6 +43,7 @@ help:
 	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
 	@echo "make test            all tests; ends with 'N passed, N failed'"
 	@echo "make flash BOARD=NAME PORT=DEVICE   writes APP=$(strip $(APP)) to a chip"
+	@echo "make fuzz            feeds fistab with ever odder files for FUZZ_SECONDS=$(FUZZ_SECONDS)"
 	@echo "make deps            installs what the build needs"
 	@echo "make clean           removes build/"
 
@@ -316,6 +318,19 @@ TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(C
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(TEST_SUITES)
 
+# --- fuzzing: reader, checks, inference and writers of fistab, from tests/fuzz/corpus and all our systems ---
+FUZZ_SRC := tests/fuzz/fuzz_fis.c $(filter-out %/main.c,$(wildcard tools/fistab/*.c)) $(COMMON_SRC)
+build/fuzz/fuzz_fis: $(FUZZ_SRC) $(wildcard tools/*/*.h)
+	@mkdir -p $(@D)
+	$(Q)clang -g -O1 -std=c11 -D_GNU_SOURCE -Itools/common -Itools -fsanitize=fuzzer,address,undefined \
+	    -fno-sanitize-recover=all $(FUZZ_SRC) -lm -o $@
+.PHONY: run-fuzz
+run-fuzz: build/fuzz/fuzz_fis
+	@mkdir -p build/fuzz/corpus
+	@build/fuzz/fuzz_fis -dict=tests/fuzz/fis.dict -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 \
+	    -close_fd_mask=2 -print_final_stats=1 -artifact_prefix=build/fuzz/ \
+	    build/fuzz/corpus tests/fuzz/corpus tests/good tests/bad tests/golden tables
+
 # --- the demo ---------------------------------------------------------------------------------
 .PHONY: run-demo
 run-demo: tools
@@ -328,7 +343,7 @@ run-report: all
 	@tools/report/report.sh $(or $(BOARD),stc89c516rd)
 
 # --- targets that install what they need first -------------------------------------------------
-demo report test:
+demo fuzz report test:
 	@tools/deps.sh $@
 	@$(MAKE) run-$@
 

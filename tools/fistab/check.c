@@ -110,7 +110,7 @@ static void check_set_unused(struct checker *c, const struct variable *variable,
     free(used);
 }
 
-static bool input_is_used(const struct fis *fis, size_t input)
+static bool rules_ask(const struct fis *fis, size_t input)
 {
     for (size_t r = 0; r < fis->rules; r++)
         if (fis->rule[r].term[input] != 0)
@@ -118,9 +118,20 @@ static bool input_is_used(const struct fis *fis, size_t input)
     return false;
 }
 
+/* Is it part of a Sugeno output's plane? */
+static bool planes_use(const struct fis *fis, size_t input)
+{
+    for (size_t o = 0; o < fis->outputs; o++)
+        for (size_t k = 0; k < fis->output[o].sets; k++)
+            if (fis->output[o].set[k].kind == MF_LINEAR &&
+                fis->output[o].set[k].parameter[input] != 0)
+                return true;
+    return false;
+}
+
 static void check_input_unused(struct checker *c, size_t i)
 {
-    if (!input_is_used(c->fis, i))
+    if (!rules_ask(c->fis, i) && !planes_use(c->fis, i))
         FOUND_WARNING(c, c->fis->input[i].line,
                       "(input_unused) no rule asks about '%s'; remove the input",
                       c->fis->input[i].name);
@@ -131,7 +142,7 @@ static void check_set_hole(struct checker *c, size_t i)
     const struct variable *input = &c->fis->input[i];
     const struct zone *widest = NULL;
 
-    if (c->zones == NULL || !input_is_used(c->fis, i))
+    if (c->zones == NULL || !rules_ask(c->fis, i))
         return;
     for (size_t z = 0; z < c->zones[i].count; z++) {
         const struct zone *zone = &c->zones[i].zone[z];

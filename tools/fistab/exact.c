@@ -8,6 +8,9 @@
 #include "quad.h"
 #include "shape.h"
 
+/* Far more than sets that people draw need: a kink costs about 40. */
+enum { SPLITS_MAX = 200000 };
+
 /* Between two neighbouring cuts. */
 struct piece {
     double left, right;
@@ -32,7 +35,7 @@ struct work {
     struct line *line; /* of each term, in the piece at hand */
     struct piece *piece;
     size_t pieces, room;
-    double tolerance;
+    struct integrand integrand; /* the aggregated set */
     bool failed;
 };
 
@@ -250,7 +253,7 @@ static void curved_piece(struct work *w, double left, double right)
         return;
     piece->at_left = aggregate_at(left + inside, w);
     piece->at_right = aggregate_at(right - inside, w);
-    piece->m = quad(aggregate_at, w, left, right, w->middle, (w->max - w->min) / 2, w->tolerance);
+    piece->m = quad(&w->integrand, left, right);
 }
 
 static void make_pieces(struct work *w)
@@ -293,9 +296,7 @@ static double share(const struct work *w, const struct piece *piece, double area
     }
     for (int i = 0; i < 60; i++) {
         double middle = left + (right - left) / 2;
-        if (quad(aggregate_at, w, piece->left, middle, w->middle, (w->max - w->min) / 2,
-                 w->tolerance)
-                .area < area)
+        if (quad(&w->integrand, piece->left, middle).area < area)
             left = middle;
         else
             right = middle;
@@ -443,24 +444,40 @@ static bool prepare(struct work *w)
     return w->cut != NULL && w->line != NULL;
 }
 
+/* A difference of numbers near 1 is known to the last bit of 1 only, however small it is. */
+static bool loses_digits(const struct exact_term *term, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (term[i].negated || term[i].set->kind == MF_DSIGMF)
+            return true;
+    return false;
+}
+
 bool exact_defuzz(const struct fis *fis, const struct variable *output,
                   const struct exact_term *term, size_t count, double *y)
 {
     struct work w = {
         .fis = fis, .term = term, .terms = count, .min = output->min, .max = output->max};
     struct moments sum = {0, 0};
+    int budget = SPLITS_MAX;
 
     w.middle = w.min + (w.max - w.min) / 2;
+    w.integrand = (struct integrand){.f = aggregate_at,
+                                     .context = &w,
+                                     .origin = w.middle,
+                                     .span = (w.max - w.min) / 2,
+                                     .noise = loses_digits(term, count) ? 4e-16 : 0,
+                                     .budget = &budget};
     if (prepare(&w)) {
         for (size_t i = 0; i < count; i++)
             cut_term(&w, &term[i]);
         w.cuts = tidy(w.cut, w.cuts, w.min, w.max);
         /* A curved set: a first look for the size of the area, then the same to a share of it. */
-        w.tolerance = 1e-4 * (w.max - w.min);
+        w.integrand.tolerance = 1e-4 * (w.max - w.min);
         make_pieces(&w);
         sum = total(&w);
         if (!w.straight && sum.area > 0) {
-            w.tolerance = 1e-11 * sum.area / (double)w.cuts;
+            w.integrand.tolerance = 1e-11 * sum.area / (double)w.cuts;
             make_pieces(&w);
             sum = total(&w);
         }

@@ -293,7 +293,8 @@ void csv_write_changes(FILE *out, const struct table *table)
             for (size_t i = 0; i < table->inputs; i++)
                 fprintf(out, "%.10g,", table_axis_value(table, i, at[i]));
             put_csv_name(out, table->fis->output[o].name);
-            fprintf(out, ",%.10g,%d,%d\n", surface, table_rounded(table, surface), table->cell[o][cell]);
+            fprintf(out, ",%.10g,%d,%d\n", surface, table_rounded(table, surface),
+                    table->cell[o][cell]);
         }
     }
 }

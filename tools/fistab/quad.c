@@ -2,19 +2,17 @@
 #include "quad.h"
 
 #include <math.h>
+#include <stdbool.h>
 
-enum { DEPTH_MAX = 50, SPLITS_MAX = 20000 };
+enum { DEPTH_MAX = 50, LOOK_BACK = 8 };
 
 /* Below this share of what a part holds, a difference is rounding. */
 #define ROUNDING 1e-13
 
-struct integral {
-    double (*f)(double, const void *);
-    const void *context;
-    double origin;
-    double span;
-    double density; /* tolerance over length */
-    int splits;
+struct path {
+    const struct integrand *integrand;
+    double density;              /* tolerance over length */
+    double error[DEPTH_MAX + 1]; /* of the parts from the whole down to here, over length */
 };
 
 /* Nodes on the positive half of [-1, 1]; the odd ones are Gauss's seven (Piessens et al.,
@@ -38,51 +36,65 @@ static const double gauss[4] = {
     0.417959183673469387755102040816327,
 };
 
-static struct moments refine(struct integral *q, double left, double right, int depth)
+/* The rules of 15 and of 7 points, both over half the length of the part. */
+static void measure(const struct integrand *g, double left, double right, struct moments *fine,
+                    struct moments *coarse)
 {
     double half = (right - left) / 2;
     double centre = left + half;
-    struct moments fine = {0, 0};
-    struct moments coarse = {0, 0};
-    struct moments other;
-    double allowed;
 
+    *fine = *coarse = (struct moments){0, 0};
     for (int i = 0; i < 8; i++) {
         for (int side = -1; side <= (i == 7 ? -1 : 1); side += 2) {
             double x = centre + side * half * node[i];
-            double y = q->f(x, q->context);
-            double xy = y * (x - q->origin);
+            double y = g->f(x, g->context);
+            double xy = y * (x - g->origin);
 
-            fine.area += kronrod[i] * y;
-            fine.moment += kronrod[i] * xy;
+            fine->area += kronrod[i] * y;
+            fine->moment += kronrod[i] * xy;
             if (i % 2 == 1) {
-                coarse.area += gauss[i / 2] * y;
-                coarse.moment += gauss[i / 2] * xy;
+                coarse->area += gauss[i / 2] * y;
+                coarse->moment += gauss[i / 2] * xy;
             }
         }
     }
-    allowed = fmax(2 * q->density, ROUNDING * fine.area);
-    if (depth == DEPTH_MAX || q->splits == SPLITS_MAX ||
-        (fabs(fine.area - coarse.area) <= allowed &&
-         fabs(fine.moment - coarse.moment) <= allowed * q->span)) {
-        fine.area *= half;
-        fine.moment *= half;
+}
+
+/* Splitting makes the error over length smaller: by half at a kink, by much more where f is smooth.
+ * If eight splits have not, a small error is the rounding of f. */
+static bool is_rounding(const struct path *path, int depth, double area)
+{
+    return depth >= LOOK_BACK && path->error[depth] > path->error[depth - LOOK_BACK] / 10 &&
+           path->error[depth] < 1e-4 * area;
+}
+
+static struct moments refine(struct path *path, double left, double right, int depth)
+{
+    const struct integrand *g = path->integrand;
+    struct moments fine, coarse, other;
+    double *error = &path->error[depth];
+
+    measure(g, left, right, &fine, &coarse);
+    *error = fmax(fabs(fine.area - coarse.area), fabs(fine.moment - coarse.moment) / g->span);
+    if (*error <= fmax(fmax(2 * path->density, g->noise), ROUNDING * fine.area) ||
+        depth == DEPTH_MAX || *g->budget <= 0 || is_rounding(path, depth, fine.area)) {
+        fine.area *= (right - left) / 2;
+        fine.moment *= (right - left) / 2;
         return fine;
     }
-    q->splits++;
-    fine = refine(q, left, centre, depth + 1);
-    other = refine(q, centre, right, depth + 1);
+    --*g->budget;
+    fine = refine(path, left, left + (right - left) / 2, depth + 1);
+    other = refine(path, left + (right - left) / 2, right, depth + 1);
     fine.area += other.area;
     fine.moment += other.moment;
     return fine;
 }
 
-struct moments quad(double (*f)(double x, const void *context), const void *context, double left,
-                    double right, double origin, double span, double tolerance)
+struct moments quad(const struct integrand *integrand, double left, double right)
 {
-    struct integral q = {f, context, origin, span, tolerance / (right - left), 0};
+    struct path path = {.integrand = integrand, .density = integrand->tolerance / (right - left)};
 
     if (!(right > left))
         return (struct moments){0, 0};
-    return refine(&q, left, right, 0);
+    return refine(&path, left, right, 0);
 }

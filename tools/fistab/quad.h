@@ -7,10 +7,18 @@ struct moments {
     double moment; /* integral of f(x) * (x - origin) */
 };
 
-/* Integrates F from LEFT to RIGHT, splitting until the area is within TOLERANCE and the moment
- * within TOLERANCE * SPAN, SPAN being the size of the x - ORIGIN that count. F is not negative; it
- * need not be smooth. */
-struct moments quad(double (*f)(double x, const void *context), const void *context, double left,
-                    double right, double origin, double span, double tolerance);
+struct integrand {
+    double (*f)(double x, const void *context); /* not negative; need not be smooth */
+    const void *context;
+    double origin;
+    double span;      /* size of the x - origin that count */
+    double tolerance; /* of the area; of the moment: times span */
+    double noise;     /* what f is not known better than */
+    int *budget;      /* splits left; where none is, parts are taken as they are */
+};
+
+/* Integrates from LEFT to RIGHT, splitting until the tolerance is kept, or where no more digits are
+ * to be had: f itself is rounded. */
+struct moments quad(const struct integrand *integrand, double left, double right);
 
 #endif

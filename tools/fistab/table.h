@@ -18,8 +18,8 @@ enum { TABLE_INPUTS_MAX = 4, TABLE_CELLS_MAX = 1 << 24 };
 struct table_options {
     struct infer_options infer;
     size_t dims[TABLE_INPUTS_MAX]; /* 0: the default, see table_default_dims */
-    bool nodes; /* sample from end to end, for interpolation; else at cell centres */
-    int levels; /* 1..255: -8..8 with 200 is a signed table, 0.08 a level, 100 for 0 */
+    bool nodes;     /* sample from end to end, for interpolation; else at cell centres */
+    int levels;     /* 1..255: -8..8 with 200 is a signed table, 0.08 a level, 100 for 0 */
     bool half_down; /* a value half way between two integers becomes the lower one */
 };
 
@@ -49,7 +49,8 @@ void table_coordinates(const struct table *table, size_t cell, size_t *at);
 int table_make(const struct fis *fis, const struct table_options *options, struct table *table);
 void table_free(struct table *table);
 
-/* The integer of a surface value: rounded half up. A value within 1e-9 of a half counts as the half. */
+/* The integer of a surface value: rounded half up. A value within 1e-9 of a half counts as the
+ * half. */
 int table_round(double levels);
 
 /* The same, rounded as the table's options say. */
