@@ -9,7 +9,7 @@ void tearDown(void) {}
 static struct robots start(int gap_mm, int own_mmps, int lead_mmps)
 {
     struct robots robots = {
-        .gap_um = gap_mm * 1000, .own_mmps = own_mmps, .lead_mmps = lead_mmps, .stop_step = -1};
+        .gap_um = gap_mm * 1000, .own_mmps = own_mmps, .lead_mmps = lead_mmps};
 
     robots_start(&robots);
     return robots;
@@ -68,7 +68,6 @@ static void test_free_lane_is_taken_once(void)
 
     robots.lane_is_free = true;
     robots.new_lead_mmps = 1200;
-    robots.stop_step = 5;
     robots_step(&robots, 0, false);
     TEST_ASSERT_EQUAL_INT(-1, robots.changed_step);
     robots_step(&robots, 0, true);
@@ -78,7 +77,6 @@ static void test_free_lane_is_taken_once(void)
     TEST_ASSERT_FALSE(robots.lane_is_free);
     for (int step = 0; step < 10; step++)
         robots_step(&robots, 0, true);
-    TEST_ASSERT_EQUAL_INT(1200, robots.lead_mmps); /* the one that was to stop is left behind */
     TEST_ASSERT_EQUAL_INT(6000000 - 10 * 30000, robots.gap_um);
 }
 
@@ -89,18 +87,6 @@ static void test_taken_lane_is_not_entered(void)
     robots_step(&robots, 0, true);
     TEST_ASSERT_EQUAL_INT(-1, robots.changed_step);
     TEST_ASSERT_EQUAL_INT(1500, robots_gap_mm(&robots));
-}
-
-static void test_lead_stops_when_told(void)
-{
-    struct robots robots = start(3000, 1000, 1000);
-
-    robots.stop_step = 2;
-    robots_step(&robots, 0, false);
-    robots_step(&robots, 0, false);
-    TEST_ASSERT_EQUAL_INT(3000000, robots.gap_um);
-    robots_step(&robots, 0, false);
-    TEST_ASSERT_EQUAL_INT(2900000, robots.gap_um);
 }
 
 static void test_gap_is_measured_to_the_nearest_millimetre(void)
@@ -122,7 +108,6 @@ int main(void)
     RUN_TEST(test_contact_ends_all_motion);
     RUN_TEST(test_free_lane_is_taken_once);
     RUN_TEST(test_taken_lane_is_not_entered);
-    RUN_TEST(test_lead_stops_when_told);
     RUN_TEST(test_gap_is_measured_to_the_nearest_millimetre);
     return UNITY_END();
 }

@@ -8,8 +8,6 @@ void robots_start(struct robots *robots)
     robots->changed_step = -1;
     robots->least_gap_um = robots->gap_um;
     robots->collided = robots->gap_um <= 0;
-    if (robots->stop_step == 0)
-        robots->lead_mmps = 0;
 }
 
 int robots_gap_mm(const struct robots *robots)
@@ -44,8 +42,5 @@ void robots_step(struct robots *robots, double accel_mmps2, bool asks_for_lane)
         robots->changed_step = robots->step;
         robots->gap_um = ROBOTS_NEW_GAP_MM * 1000;
         robots->lead_mmps = robots->new_lead_mmps;
-        robots->stop_step = -1;
     }
-    if (robots->step == robots->stop_step)
-        robots->lead_mmps = 0;
 }

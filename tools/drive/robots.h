@@ -17,10 +17,10 @@ enum {
 
 struct robots {
     int32_t gap_um;
-    int own_mmps, lead_mmps;
+    int own_mmps;
+    int lead_mmps; /* may be set before any step, until the lane is changed */
     bool lane_is_free; /* the other one; taken once the robot has changed to it */
     int new_lead_mmps; /* who drives there */
-    int stop_step;     /* the lead stands from this step on; negative: it does not stop */
     int step;          /* so many are over */
     int changed_step;  /* the change was made then; -1: none */
     int least_gap_um;

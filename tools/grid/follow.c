@@ -123,7 +123,6 @@ int main(int argc, char **argv)
                     (GAP_FIRST_MM + GAP_STEP_MM * (start / LEAD_SPEEDS / OWN_SPEEDS)) * 1000,
                 .own_mmps = OWN_STEP_MMPS * (start / LEAD_SPEEDS % OWN_SPEEDS),
                 .lead_mmps = LEAD_STEP_MMPS * (start % LEAD_SPEEDS),
-                .stop_step = -1,
             },
             arguments.steps);
     return ferror(stdout) != 0 || fflush(stdout) != 0 ? EXIT_INPUT : EXIT_FINE;
