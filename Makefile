@@ -97,7 +97,17 @@ ANY_MODULES   := $(addprefix core/,fixed lamp lut selftest telemetry) $(addprefi
 FRAME_MODULES := apps/frames $(ANY_MODULES) core/frame core/link mcu/head
 
 brake_TABLE   := $(TABLE)
-brake_MODULES := apps/brake $(ANY_MODULES) $(addprefix core/,brake closing range) mcu/echo mcu/uart
+BRAKE_MODULES := apps/brake $(ANY_MODULES) $(addprefix core/,brake closing range) mcu/echo mcu/uart
+brake_MODULES := $(BRAKE_MODULES) core/law_fuzzy core/cell
+
+# The same car under another law (firmware/core/law.h), to compare with. All carry a table, so that all
+# boot alike; only tuned looks into it.
+LAWS          := tuned classic first none
+tuned_TABLE   := tables/brake_tuned.fis
+tuned_FLAGS   := -DESTIMATOR_smooth
+tuned_MODULES := $(BRAKE_MODULES) core/law_tuned core/cell core/ease
+none_FLAGS    := -DBRAKE_STOP_MM=0U -UFAULT_PCT -DFAULT_PCT=0
+$(foreach law,classic first none,$(eval $(law)_TABLE := $(TABLE))$(eval $(law)_MODULES := $(BRAKE_MODULES) core/law_$(law)))
 
 radar_TABLE := tables/radar.fis
 radar_GRID  := --grid=13x13 --samples=7 --levels=240 --half-down
@@ -152,7 +162,7 @@ $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	$$(Q)build/fistab table $$< --name=lut $(or $($(1)_GRID),--encoding=$(ENCODING)) -o $$@
 $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
+	$$(Q)$(SDCC) $(SDCC_FLAGS) -DAPP_NAME='"$(1)"' $($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES))
 	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
 	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
@@ -247,8 +257,8 @@ UNIT_TESTS := $(patsubst tests/%.c,build/%,$(wildcard tests/unit/test_*.c))
 CHIP_TESTS := $(UNIT_TESTS:build/unit/%=build/chip/%.ihx)
 UNIT_FLAGS := -DCLK_HZ=12000000UL -I$(UNITY) -Ifirmware/core -Ibuild/unit
 # The test of a controller whose #error wants its own table takes it, and lut.c, in as source.
-UNIT_TABLES := radar park gap follow follow_paper
-CORE_SRC   := $(filter-out $(UNIT_TABLES:%=firmware/core/%.c),$(wildcard firmware/core/*.c))
+UNIT_TABLES := radar park gap follow follow_paper tuned
+CORE_SRC   := $(filter-out $(UNIT_TABLES:%=firmware/core/%.c) $(LAWS:%=firmware/core/law_%.c),$(wildcard firmware/core/*.c))
 SDCC_UNIT  := sdcc -mmcs51 --std-c11 --model-large --stack-auto
 CHIP_FLAGS := -DUNITY_INT_WIDTH=16 -DUNITY_LONG_WIDTH=32 -DUNITY_POINTER_WIDTH=16 \
     $(patsubst %,-DUNITY_EXCLUDE_%,FLOAT DOUBLE SETJMP_H MATH_H) \

@@ -8,7 +8,10 @@
 #include "selftest.h"
 #include "telemetry.h"
 
-#define VERSION    "fuzzy51 1.0 brake"
+#ifndef APP_NAME /* what its law is called, where that is not the published table */
+#define APP_NAME "brake"
+#endif
+#define VERSION    "fuzzy51 1.0 " APP_NAME
 #define CONTROL_MS 60U  /* the sensor's pace */
 #define SETTLE_MS  60U  /* from the brake's release after the self-test to the first measurement */
 #define IDLE_MS    100U /* an echo cut off by a reset is over by then */
@@ -29,8 +32,8 @@ static uint8_t triggered;       /* tick */
 static uint8_t elapsed_cs;      /* between the last two triggers */
 static bool is_measuring;
 
-static uint16_t seq;            /* control steps */
-static uint16_t dropped;        /* lines of them */
+static __idata uint16_t seq;     /* control steps */
+static __idata uint16_t dropped; /* lines of them */
 static bool is_talking;
 static char command;            /* waits for the line under way to end; 0: none */
 #define SAY_HEADER '\1'

@@ -1,78 +1,28 @@
 /* The brake's decision. */
 #include "brake.h"
 #include "closing.h"
-#include "fixed.h"
-#include "lut.h"
+#include "law.h"
 #include "range.h"
-
-#if LUT_INPUTS != 2
-#error the brake needs a table of two inputs: distance in m, closing speed in m/s
-#endif
-#if !defined(LUT_IN1_MUL) || !defined(LUT_IN2_MUL)
-#error an axis of the table is too long: at most 65.535 m or m/s from end to end
-#endif
-#if LUT_IN1_MIN_MILLI < 0 || LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI > 65535
-#error the distance axis of the table must lie within 0..65.535 m
-#endif
-#if LUT_LEVELS != 100
-#error the brake needs a table of 0..100 percent
-#endif
-
-#define FAR_MM ((uint16_t)(LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI))
 
 struct brake_output brake;
 
 static uint8_t demand_pct;      /* what the brake does but for STOP and override */
-static __bit has_target;        /* the last good reading was an echo within the table */
+static __bit has_target;        /* the last good reading was an echo within the law's reach */
+static __bit is_clear;          /* the last reading was a good "no target" */
 static __bit is_fault;
-static uint8_t good_readings;   /* in a row, while in FAULT */
 static uint8_t silence_cs;      /* since the last good reading */
 static uint8_t override_cs;
 static __bit is_latched;        /* STOP */
 static __bit is_sure;           /* of it: a second reading or a tracked approach said the same */
-static uint8_t doubts;          /* readings against it */
-static uint8_t opening_readings;
-static uint8_t lost_readings;   /* so many more "no target" are a missing echo */
 static uint16_t raw_mm;         /* the last echo, believed or not */
 static __bit is_stuck;
-static uint8_t calm_readings;
 
-static uint8_t row_of(uint16_t dist_mm)
-{
-    uint16_t x = dist_mm - (uint16_t)LUT_IN1_MIN_MILLI;
-
-    if (dist_mm <= (uint16_t)LUT_IN1_MIN_MILLI) {
-        return 0;
-    }
-    if (x >= (uint16_t)LUT_IN1_SPAN_MILLI) {
-        return LUT_IN1_CELLS - 1;
-    }
-    return (uint8_t)(mul_hi_u16(x, (uint16_t)LUT_IN1_MUL) >> LUT_IN1_SHIFT);
-}
-
-static uint8_t col_of(const struct closing_speed __data *speed)
-{
-    uint16_t x = speed->closing_mmps;
-
-#if LUT_IN2_MIN_MILLI > 0
-    if (x <= (uint16_t)LUT_IN2_MIN_MILLI) {
-        return 0;
-    }
-    x -= (uint16_t)LUT_IN2_MIN_MILLI;
-#elif LUT_IN2_MIN_MILLI < 0
-    if (speed->opening_mmps >= (uint16_t)-LUT_IN2_MIN_MILLI) {
-        return 0;
-    }
-    if (x > (uint16_t)LUT_IN2_SPAN_MILLI) {
-        return LUT_IN2_CELLS - 1;
-    }
-    x += (uint16_t)-LUT_IN2_MIN_MILLI - speed->opening_mmps;
-#endif
-    if (x >= (uint16_t)LUT_IN2_SPAN_MILLI) {
-        return LUT_IN2_CELLS - 1;
-    }
-    return (uint8_t)(mul_hi_u16(x, (uint16_t)LUT_IN2_MUL) >> LUT_IN2_SHIFT);
-}
+/* Less often used: the RAM that instructions address is nearly full. */
+static __idata uint8_t good_readings;    /* in a row, while in FAULT */
+static __idata uint8_t doubts;           /* readings against STOP */
+static __idata uint8_t opening_readings;
+static __idata uint8_t lost_readings;    /* so many more "no target" are a missing echo */
+static __idata uint8_t calm_readings;
 
 /* What the pins do, from what was decided. */
 static void settle(void)
@@ -113,6 +63,7 @@ void brake_init(uint8_t fault)
     closing_restart();
     demand_pct = 0;
     has_target = false;
+    is_clear = false;
     is_fault = false;
     silence_cs = 0;
     override_cs = 0;
@@ -200,7 +151,7 @@ static void warn(uint16_t dist_mm)
         uint16_t ahead_mm = dist_mm > closing_mmps ? dist_mm - closing_mmps : 0;
 
         if (ahead_mm <= BRAKE_STOP_MM ||
-            (ahead_mm <= FAR_MM && lut_at(row_of(ahead_mm), col_of(&closing_smooth)) >= BRAKE_WARN_PCT)) {
+            (ahead_mm <= LAW_FAR_MM && law_pct(ahead_mm, &closing_smooth) >= BRAKE_WARN_PCT)) {
             brake.warn = true;
             calm_readings = 0;
             return;
@@ -245,27 +196,10 @@ static uint8_t judge_no_echo(uint8_t kind, uint8_t elapsed_cs)
     if (!is_sure) {
         is_latched = false;
     }
-    closing_restart();
+    if (closing_samples != 1) { /* a lone reading waits for its second one, past a missing echo */
+        closing_restart();
+    }
     return BRAKE_FAULT_NONE;
-}
-
-/* The table's answer. Nearer and faster cells are taken at once; further and slower ones only from
- * BRAKE_SLACK_x cells on, so that a noisy sensor at a constant gap does not make the brake chatter. */
-static uint8_t look_up(uint16_t dist_mm, bool is_new)
-{
-    uint8_t row = row_of(dist_mm), col = col_of(&BRAKE_SPEED);
-
-    if (is_new || row <= brake.row) {
-        brake.row = row;
-    } else if ((uint8_t)(row - brake.row) > BRAKE_SLACK_ROWS) {
-        brake.row = (uint8_t)(row - BRAKE_SLACK_ROWS);
-    }
-    if (is_new || col >= brake.col) {
-        brake.col = col;
-    } else if ((uint8_t)(brake.col - col) > BRAKE_SLACK_COLS) {
-        brake.col = (uint8_t)(col + BRAKE_SLACK_COLS);
-    }
-    return lut_at(brake.row, brake.col);
 }
 
 void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
@@ -273,9 +207,10 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     bool is_echo = kind == RANGE_ECHO;
     uint8_t trouble = is_echo ? judge_echo(dist_mm, elapsed_cs) : judge_no_echo(kind, elapsed_cs);
     bool is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
-    bool had_target = has_target;
-    uint8_t table_pct = 0;
+    bool had_target = has_target, has_entered = is_clear && elapsed_cs <= LAW_ENTER_CS;
+    uint8_t wanted_pct = 0;
 
+    is_clear = false;
     if (trouble != BRAKE_FAULT_NONE) {
         good_readings = 0;
         if (!is_lasting) {
@@ -286,7 +221,8 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     }
 
     silence_cs = 0;
-    has_target = is_echo && dist_mm <= (had_target ? FAR_MM + BRAKE_SLACK_FAR_MM : FAR_MM);
+    is_clear = !is_echo;
+    has_target = is_echo && dist_mm <= (had_target ? LAW_FAR_MM + BRAKE_SLACK_FAR_MM : LAW_FAR_MM);
     if (is_echo) {
         lost_readings = farewell(dist_mm);
         unlatch(dist_mm);
@@ -294,17 +230,17 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     if (!is_lasting) { /* then the table, or what holds it, cannot be trusted */
         warn(is_echo ? dist_mm : 65535U);
         if (has_target) {
-            table_pct = look_up(dist_mm, !had_target);
+            wanted_pct = law_step(dist_mm, had_target ? LAW_TRACKED : has_entered ? LAW_ENTERED : LAW_NEW);
         }
     }
     if (is_lasting || (is_fault && ++good_readings < BRAKE_GOOD_READINGS)) {
-        if (demand_pct < table_pct) {
-            demand_pct = table_pct;
+        if (demand_pct < wanted_pct) {
+            demand_pct = wanted_pct;
         }
     } else {
         is_fault = false;
         brake.fault = BRAKE_FAULT_NONE;
-        demand_pct = table_pct;
+        demand_pct = wanted_pct;
     }
     settle();
 }

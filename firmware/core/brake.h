@@ -1,7 +1,7 @@
 /* The brake's decision: readings in, duty and signals out. Portable; time comes as an argument.
  *
  *   RELEASED  no target, or beyond the table: 0 %
- *   CONTROL   the table
+ *   CONTROL   what the law of this image says (law.h): the table
  *   STOP      a reading of BRAKE_STOP_MM or less: 100 % and the stop line, at once and latched
  *   FAULT     no reading to believe for BRAKE_SILENCE_CS, a watchdog reset or a failed self-test
  */
@@ -36,9 +36,11 @@
 #define FAULT_PCT 60
 #endif
 
-/* Stop at this distance; let go beyond the second one, opening faster than this twice in a row, or
- * after the override was held that long. */
+/* Stop at this distance (0: never); let go beyond the second one, opening faster than this twice in a
+ * row, or after the override was held that long. */
+#ifndef BRAKE_STOP_MM
 #define BRAKE_STOP_MM       1000U
+#endif
 #define BRAKE_RELEASE_MM    1300U
 #define BRAKE_RELEASE_MMPS  200U
 #define BRAKE_OVERRIDE_CS   100U

@@ -53,7 +53,7 @@ exec build/drive "\$@"
 END
 chmod +x "$out/drive"
 run_report() {
-    DRIVE=$out/drive REPORT_OUT=$out/report MAP=coarse JOBS=2 ONLY=${only:-'seen_02.0 false_open cutin_1.5'} \
+    DRIVE=$out/drive REPORT_OUT=$out/report MAP=coarse JOBS=2 IMAGES=brake ONLY=${only:-'seen_02.0 false_open cutin_1.5'} \
         tools/report/report.sh ${board:-stc89c516rd} >"$out/log" 2>&1
 }
 calls() {

@@ -7,12 +7,13 @@
 # be run. Knobs, from the environment:
 #     MAP=coarse|normal|fine   how fine the avoidance map is
 #     ONLY='GLOB...'           only scenarios of these names
+#     IMAGES='NAME...'         only these images
 #     JOBS=N                   so many runs at a time, instead of one a core
 #     SSHLOGIN=A,B,:           machines for GNU parallel; ':' is this one
 set -euo pipefail
 
 board=${1:?"which board?"}
-: "${MAP:=normal}" "${ONLY:=*}" "${JOBS:=}" "${SSHLOGIN:=:}" "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}"
+: "${MAP:=normal}" "${ONLY:=*}" "${IMAGES:=}" "${JOBS:=}" "${SSHLOGIN:=:}" "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}"
 export DRIVE
 here=tools/report
 runs=$REPORT_OUT/runs
@@ -63,6 +64,7 @@ for tab in $here/tabs/*.tab; do
     for image in $(tab_values "$tab" image | cut -d'|' -f1); do
         hex=build/$board/$image.ihx
         [ -f "$hex" ] || continue
+        [[ -z $IMAGES || " $IMAGES " == *" $image "* ]] || continue
         built="$built $image"
         hash=$(short_hash "$hex")
         for scenario in $(tab_values "$tab" scenarios | sed "s|build/report/|$REPORT_OUT/|g"); do

@@ -1,0 +1,14 @@
+/* Which cell of the brake's table belongs to a distance and a closing speed. Portable. */
+#ifndef FUZZY51_CELL_H
+#define FUZZY51_CELL_H
+
+#include <stdint.h>
+#include "cc51.h"
+#include "closing.h"
+
+/* Row of a distance, column of a speed: the first and the last one reach on beyond the table's ends.
+ * About 120 mc each. */
+uint8_t cell_row(uint16_t dist_mm);
+uint8_t cell_col(const struct closing_speed __data *speed);
+
+#endif

@@ -1,0 +1,98 @@
+/* law_classic: the safe distance at every speed, and when it brakes and stops braking. */
+#include <stddef.h>
+#include "unity.h"
+#include "law_classic.c"
+
+static struct closing_speed __data speed;
+
+void setUp(void)
+{
+    closing_difference.closing_mmps = 0;
+    closing_difference.opening_mmps = 0;
+    law_step(LAW_FAR_MM, LAW_NEW); /* not braking */
+}
+
+void tearDown(void)
+{
+}
+
+/* v * 0.3 s + v^2 / (2 * 6.4 m/s2) + 1 m, by hand. */
+static void test_safe_distance_by_hand(void)
+{
+    static const uint16_t __code speeds_mmps[] = {0, 1000, 2000, 4000, 5264, 8000};
+    static const uint16_t __code safe_mm[] = {1000, 1378, 1912, 3450, 4744, 8400};
+    uint8_t i;
+
+    for (i = 0; i < 6; i++) {
+        TEST_ASSERT_UINT16_WITHIN(4, safe_mm[i], law_classic_safe_mm(speeds_mmps[i]));
+    }
+}
+
+/* At every speed: exact within 4 mm, never more than exact, never falling. */
+static void test_safe_distance_at_every_speed(void)
+{
+    uint16_t mmps, before_mm = 0;
+
+    for (mmps = 0; mmps < 8192; mmps++) {
+        uint16_t safe_mm = law_classic_safe_mm(mmps);
+        uint16_t exact_mm = (uint16_t)(1000U + mmps * 3UL / 10U + (uint32_t)mmps * mmps / 12800U);
+
+        if (safe_mm < before_mm || safe_mm > exact_mm + 1U || safe_mm + 4U < exact_mm) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(exact_mm, safe_mm, "safe distance");
+        }
+        before_mm = safe_mm;
+    }
+    TEST_ASSERT_EQUAL_UINT16(before_mm, law_classic_safe_mm(8192));
+    TEST_ASSERT_EQUAL_UINT16(before_mm, law_classic_safe_mm(65535U));
+}
+
+static void test_all_or_nothing_at_the_safe_distance(void)
+{
+    uint16_t safe_mm;
+
+    speed.opening_mmps = 0;
+    for (speed.closing_mmps = 0; speed.closing_mmps < 5000; speed.closing_mmps += 250) {
+        safe_mm = law_classic_safe_mm(speed.closing_mmps);
+        TEST_ASSERT_EQUAL_UINT8(100, law_pct((uint16_t)(safe_mm - 1U), &speed));
+        TEST_ASSERT_EQUAL_UINT8(0, law_pct(safe_mm, &speed));
+    }
+}
+
+static void test_opening_counts_as_standing(void)
+{
+    speed.closing_mmps = 0;
+    speed.opening_mmps = 5000;
+    TEST_ASSERT_EQUAL_UINT8(0, law_pct(1000, &speed));
+    TEST_ASSERT_EQUAL_UINT8(100, law_pct(999, &speed));
+}
+
+static void test_brakes_until_half_a_metre_more_than_safe(void)
+{
+    closing_difference.closing_mmps = 2000;
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(1950, LAW_TRACKED));
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(1900, LAW_TRACKED));
+    closing_difference.closing_mmps = 0;
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(1500, LAW_TRACKED));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(1501, LAW_TRACKED));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(1400, LAW_TRACKED));
+}
+
+static void test_another_target_is_judged_afresh(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(900, LAW_NEW));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(1200, LAW_NEW));
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(900, LAW_TRACKED));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(1200, LAW_ENTERED));
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_safe_distance_by_hand);
+    RUN_TEST(test_safe_distance_at_every_speed);
+    RUN_TEST(test_all_or_nothing_at_the_safe_distance);
+    RUN_TEST(test_opening_counts_as_standing);
+    RUN_TEST(test_brakes_until_half_a_metre_more_than_safe);
+    RUN_TEST(test_another_target_is_judged_afresh);
+    return UNITY_END();
+}

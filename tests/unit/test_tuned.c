@@ -1,0 +1,197 @@
+/* The tuned law in the brake, with its own table: first sight, look-up, ease. */
+#define ESTIMATOR_smooth
+#include <stddef.h>
+#include "unity.h"
+#include "lut.c" /* first: it takes the table's data */
+#undef LUT_DATA
+#include "cell.c"
+#include "law_tuned.c"
+#include "range.h"
+
+static void look(uint8_t kind, uint16_t dist_mm)
+{
+    uint8_t i;
+
+    for (i = 0; i < 6; i++) {
+        brake_tick(false);
+    }
+    brake_step(kind, dist_mm, 6);
+}
+
+void setUp(void)
+{
+    brake_init(BRAKE_FAULT_NONE);
+    ease_restart();
+}
+
+void tearDown(void)
+{
+}
+
+/* --- first sight ------------------------------------------------------------------------------ */
+
+/* In the tuned table 6.4 m/s at 4.6 m is full brake; one reading gets at most LAW_TUNED_FIRST_PCT. */
+static void test_a_fast_target_is_braked_at_first_sight(void)
+{
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 4600);
+    TEST_ASSERT_EQUAL_UINT8(LAW_TUNED_FIRST_PCT, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(90, brake.row);
+    TEST_ASSERT_EQUAL_UINT8(91, brake.col); /* 400 mm in 1/16 s: 6.4 m/s */
+}
+
+static void test_first_sight_never_exceeds_its_limit(void)
+{
+    uint16_t mm;
+    uint8_t before = 0;
+
+    for (mm = LAW_FAR_MM; mm >= LAW_FAR_MM - LAW_TUNED_FIRST_MM; mm--) {
+        brake_init(BRAKE_FAULT_NONE);
+        look(RANGE_NO_TARGET, 0);
+        look(RANGE_ECHO, mm);
+        TEST_ASSERT_TRUE(brake.brake_pct >= before && brake.brake_pct <= LAW_TUNED_FIRST_PCT);
+        before = brake.brake_pct;
+    }
+    TEST_ASSERT_EQUAL_UINT8(LAW_TUNED_FIRST_PCT, before);
+}
+
+/* Without a clear road just before, or further inside, one reading proves no speed. */
+static void test_otherwise_the_first_reading_does_not_brake(void)
+{
+    look(RANGE_ECHO, 4600);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+
+    brake_init(BRAKE_FAULT_NONE);
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_NOT_RISEN, 0);
+    look(RANGE_ECHO, 4600);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+
+    brake_init(BRAKE_FAULT_NONE);
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, LAW_FAR_MM - LAW_TUNED_FIRST_MM - 1);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+
+    brake_init(BRAKE_FAULT_NONE);
+    brake_step(RANGE_NO_TARGET, 0, 6);
+    brake_step(RANGE_ECHO, 4600, 7); /* late */
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+}
+
+/* Near enough, it does: w of ease.h is 212/256 at 1376 mm. */
+static void test_a_near_first_reading_brakes(void)
+{
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 1376);
+    TEST_ASSERT_UINT8_WITHIN(1, (uint8_t)(lut_at(9, 0) * 212U >> 8), brake.brake_pct);
+    look(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+}
+
+static void test_the_second_reading_takes_over(void)
+{
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 4600);
+    look(RANGE_ECHO, 4540); /* 1 m/s: it was a slow one that came into sight late */
+    TEST_ASSERT_UINT8_WITHIN(1, 14, brake.col);
+    TEST_ASSERT_EQUAL_UINT8(lut_at(brake.row, brake.col), brake.brake_pct);
+    TEST_ASSERT_TRUE(brake.brake_pct < 40);
+}
+
+static void test_a_passing_object_is_forgotten_after_one_reading(void)
+{
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 4600);
+    look(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+}
+
+/* One missing echo between the first two readings does not cost the second one its speed. */
+static void test_a_speed_survives_one_missing_echo(void)
+{
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 4900);
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 4180); /* 6 m/s */
+    TEST_ASSERT_UINT8_WITHIN(1, 85, brake.col);
+    TEST_ASSERT_TRUE(brake.brake_pct >= 95);
+}
+
+/* --- look-up and ease ------------------------------------------------------------------------- */
+
+static void test_a_fast_approach_gets_the_table_and_no_ease(void)
+{
+    uint16_t mm;
+
+    for (mm = 4900; mm > 1100; mm -= 200) { /* 3.3 m/s */
+        look(RANGE_ECHO, mm);
+        if (closing_samples == 3) {
+            TEST_ASSERT_EQUAL_UINT8(lut_at(brake.row, brake.col), brake.brake_pct);
+            TEST_ASSERT_UINT8_WITHIN(2, 47, brake.col);
+        }
+    }
+}
+
+static void test_a_constant_gap_gets_a_seventh_then_is_held(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 3; i++) {
+        look(RANGE_ECHO, 2500);
+    }
+    TEST_ASSERT_UINT8_WITHIN(1, (uint8_t)(lut_at(37, 0) / 7), brake.brake_pct);
+    for (i = 0; i < EASE_STILL_READINGS + EASE_HOLD_PCT; i++) {
+        look(RANGE_ECHO, 2500);
+    }
+    TEST_ASSERT_EQUAL_UINT8(EASE_HOLD_PCT, brake.brake_pct);
+    look(RANGE_ECHO, 2540);
+    look(RANGE_ECHO, 2600);
+    look(RANGE_ECHO, 2680);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+}
+
+static void test_stop_needs_none_of_it(void)
+{
+    look(RANGE_ECHO, 1000);
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+}
+
+/* --- the table -------------------------------------------------------------------------------- */
+
+static void test_table_falls_with_distance_and_rises_with_speed(void)
+{
+    uint8_t row, col;
+
+    for (row = 0; row < LUT_IN1_CELLS; row++) {
+        for (col = 0; col < LUT_IN2_CELLS; col++) {
+            uint8_t pct = lut_at(row, col);
+
+            if (pct > 100 || (row > 0 && lut_at((uint8_t)(row - 1), col) < pct) ||
+                (col > 0 && lut_at(row, (uint8_t)(col - 1)) > pct)) {
+                TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, row * 100U + col, "not monotone at this cell");
+            }
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT8(100, lut_at(0, LUT_IN2_CELLS - 1));
+    TEST_ASSERT_TRUE(lut_at(LUT_IN1_CELLS - 1, 0) <= 5);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_a_fast_target_is_braked_at_first_sight);
+    RUN_TEST(test_first_sight_never_exceeds_its_limit);
+    RUN_TEST(test_otherwise_the_first_reading_does_not_brake);
+    RUN_TEST(test_a_near_first_reading_brakes);
+    RUN_TEST(test_the_second_reading_takes_over);
+    RUN_TEST(test_a_passing_object_is_forgotten_after_one_reading);
+    RUN_TEST(test_a_speed_survives_one_missing_echo);
+    RUN_TEST(test_a_fast_approach_gets_the_table_and_no_ease);
+    RUN_TEST(test_a_constant_gap_gets_a_seventh_then_is_held);
+    RUN_TEST(test_stop_needs_none_of_it);
+    RUN_TEST(test_table_falls_with_distance_and_rises_with_speed);
+    return UNITY_END();
+}
