@@ -1,5 +1,5 @@
-/* The follower: gap, speeds and the next lane from the head -> table -> brake, throttle and the wish
- * for the next lane. */
+/* The follower: gap, speeds and the next lane from the head -> table -> brake, throttle and the
+ * wish for the next lane. */
 #include "frames.h"
 #include "follow.h"
 

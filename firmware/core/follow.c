@@ -44,7 +44,8 @@ void follow_look_up(void)
     uint8_t closing_last = last_cell;
     uint8_t change_first = FIRST_CELL((int16_t)(gap_mm - FOLLOW_CHANGE_MM), to_change_mm_at);
     uint8_t change_last = last_cell;
-    uint8_t command_least = LUT_LEVELS, command_most = 0, change_least = LUT_LEVELS, change_most = 0;
+    uint8_t command_least = LUT_LEVELS, command_most = 0, change_least = LUT_LEVELS,
+            change_most = 0;
     uint8_t gap, closing, change, level;
 
     /* The mean of a row of maxima is the middle of its ends. */

@@ -1,12 +1,12 @@
-/* Following a robot and asking for the next lane: a table of tables/follow.fis decides to slow down,
- * to hold or to speed up, and whether to change lanes. After Liu and Fang, 2015.
+/* Following a robot and asking for the next lane: a table of tables/follow.fis decides to slow
+ * down, to hold or to speed up, and whether to change lanes. After Liu and Fang, 2015.
  *
- * The system's mean of maxima is constant between thresholds, where two sets are equal: gap 2, 4, 6,
- * 8 m, closing speed -1 and 1 m/s, gap less change distance -0.05 and 0.05 m. On a threshold it is the
- * mean of the cells on both sides, half a command.
+ * The system's mean of maxima is constant between thresholds, where two sets are equal: gap 2, 4,
+ * 6, 8 m, closing speed -1 and 1 m/s, gap less change distance -0.05 and 0.05 m. On a threshold it
+ * is the mean of the cells on both sides, half a command.
  *
- * Outside the table: if the wished change is refused, because the next lane is taken, the robot slows
- * down. The published system has no such rule, see FOLLOW_AS_PUBLISHED. */
+ * Outside the table: if the wished change is refused, because the next lane is taken, the robot
+ * slows down. The published system has no such rule, see FOLLOW_AS_PUBLISHED. */
 #ifndef FUZZY51_FOLLOW_H
 #define FUZZY51_FOLLOW_H
 
@@ -28,14 +28,16 @@
 #define FOLLOW_YIELDS 1
 #endif
 
-/* The throttle is a servo pulse of so many us, from closed to 2 m/s2; the brake is 100 % at 2 m/s2. */
+/* The throttle is a servo pulse of so many us, from closed to 2 m/s2; the brake is 100 % at 2 m/s2.
+ */
 #define FOLLOW_THROTTLE_CLOSED_US 1000U
 #define FOLLOW_THROTTLE_FULL_US   2000U
 
 enum follow_state {
     FOLLOW_WAITING, /* no three good frames yet: full brake, the robot does not roll */
     FOLLOW_CONTROL,
-    FOLLOW_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up again */
+    FOLLOW_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up
+                     again */
 };
 
 struct follow {
@@ -63,12 +65,12 @@ bool follow_read(void);
 /* The table on what was read: sets command_x2 and change_x2, nothing else. */
 void follow_look_up(void);
 
-/* One control step on what was read, while the link is up; made for one in 100 ms. Under 1,600 mc with
- * follow_read, where three thresholds meet; 800 elsewhere. */
+/* One control step on what was read, while the link is up; made for one in 100 ms. Under 1,600 mc
+ * with follow_read, where three thresholds meet; 800 elsewhere. */
 void follow_decide(void);
 
-/* One control step while the link is lost: never less brake than before, `fault_pct` at least, and no
- * lane is asked for. */
+/* One control step while the link is lost: never less brake than before, `fault_pct` at least, and
+ * no lane is asked for. */
 void follow_lose(uint8_t fault_pct);
 
 #endif

@@ -1,4 +1,5 @@
-/* The gap controller's decision: products by the 8051's own multiplier, reciprocals for divisors. */
+/* The gap controller's decision: products by the 8051's own multiplier, reciprocals for divisors.
+ */
 #include "gap.h"
 #include "fixed.h"
 #include "frame.h"
@@ -65,13 +66,13 @@ uint16_t gap_safe_cm(void)
                           over_2a_cm((uint16_t)(v_cmps - gap.lead_cmps),
                                      (uint16_t)(v_cmps + gap.lead_cmps)) +
                           STANDING_CM);
-    braking_cm =
-        over_2a_cm((uint16_t)(gap.lead_cmps - v_cmps), (uint16_t)(v_cmps + gap.lead_cmps));
+    braking_cm = over_2a_cm((uint16_t)(gap.lead_cmps - v_cmps), (uint16_t)(v_cmps + gap.lead_cmps));
     return (uint16_t)((safe_cm > braking_cm ? safe_cm - braking_cm : 0) + STANDING_CM);
 }
 
-/* 100 * diff_cmps / h_cs, h in 1/100 s, from 90 on: bit by bit, as a table of 1/h for each of its 834
- * values would be larger than this controller. The quotient has 13 bits: 100 * 5000 / 90 is 5555. */
+/* 100 * diff_cmps / h_cs, h in 1/100 s, from 90 on: bit by bit, as a table of 1/h for each of its
+ * 834 values would be larger than this controller. The quotient has 13 bits: 100 * 5000 / 90 is
+ * 5555. */
 static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
 {
     uint32_t product = (uint32_t)mul_u16(diff_cmps, 100U) << 3; /* the 13 low bits come first */
@@ -109,7 +110,7 @@ int16_t gap_lq_cmps2(void)
     int16_t pull = (int16_t)(mul_u8((uint8_t)(size_cm >> 8), 77) + (uint8_t)(fine >> 8));
 
     if (error_cm < 0)
-        pull = (int16_t)-(pull + ((uint8_t)fine != 0));
+        pull = (int16_t) - (pull + ((uint8_t)fine != 0));
     if (gap.own_cmps >= gap.lead_cmps)
         pull += (int16_t)over_h_cmps2((uint16_t)(gap.own_cmps - gap.lead_cmps), h_cs);
     else
@@ -195,5 +196,5 @@ void gap_lose(uint8_t fault_pct)
     gap.throttle_us = GAP_THROTTLE_CLOSED_US;
     if (gap.brake_pct < fault_pct)
         gap.brake_pct = fault_pct;
-    gap.accel_cmps2 = (int16_t)-(int16_t)mul_u8(gap.brake_pct, GAP_ACCEL_MAX_CMPS2 / 100);
+    gap.accel_cmps2 = (int16_t) - (int16_t)mul_u8(gap.brake_pct, GAP_ACCEL_MAX_CMPS2 / 100);
 }

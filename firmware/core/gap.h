@@ -29,10 +29,11 @@
 #define GAP_ACCEL_MAX_CMPS2 800
 
 /* Below this own speed a brake that is on holds at least so hard, to a standstill. */
-#define GAP_CREEP_CMPS  30U
-#define GAP_HOLD_CMPS2  30
+#define GAP_CREEP_CMPS 30U
+#define GAP_HOLD_CMPS2 30
 
-/* The throttle is a servo pulse of so many us, from closed to 8 m/s2; the brake is 100 % at 8 m/s2. */
+/* The throttle is a servo pulse of so many us, from closed to 8 m/s2; the brake is 100 % at 8 m/s2.
+ */
 #define GAP_THROTTLE_CLOSED_US 1000U
 #define GAP_THROTTLE_FULL_US   2000U
 
@@ -41,7 +42,8 @@ enum gap_lead { GAP_LEAD_STANDS, GAP_LEAD_DRIVES, GAP_LEAD_BRAKES };
 enum gap_state {
     GAP_WAITING, /* no three good frames yet: full brake, the car does not roll */
     GAP_CONTROL,
-    GAP_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up again */
+    GAP_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up again
+                */
 };
 
 struct gap {

@@ -29,7 +29,6 @@ static __idata uint16_t n, least = 65535U, most, refused;
 void main(void)
 {
 
-
     TMOD = 1;
     app_init();
     for (n = 0; n < bench_payloads; n++) {

@@ -8,8 +8,7 @@ void tearDown(void) {}
 
 static struct robots start(int gap_mm, int own_mmps, int lead_mmps)
 {
-    struct robots robots = {
-        .gap_um = gap_mm * 1000, .own_mmps = own_mmps, .lead_mmps = lead_mmps};
+    struct robots robots = {.gap_um = gap_mm * 1000, .own_mmps = own_mmps, .lead_mmps = lead_mmps};
 
     robots_start(&robots);
     return robots;

@@ -31,9 +31,9 @@ static const struct {
     int8_t command_x2;
     uint8_t change_x2;
 } spots[] = {
-    {950, 0, 2, 0},    {800, -150, 2, 0}, {600, 150, 2, 0}, {500, 190, 2, 0},   {400, 150, 1, 0},
-    {400, -150, 2, 0}, {320, -40, 0, 0},  {300, -120, 2, 0}, {250, 160, 0, 0},  {190, 150, 0, 2},
-    {150, 180, 0, 2},  {100, 180, 0, 2},  {95, 180, -1, 1},  {80, 180, -2, 0},  {50, 50, -2, 0},
+    {950, 0, 2, 0},    {800, -150, 2, 0}, {600, 150, 2, 0},  {500, 190, 2, 0}, {400, 150, 1, 0},
+    {400, -150, 2, 0}, {320, -40, 0, 0},  {300, -120, 2, 0}, {250, 160, 0, 0}, {190, 150, 0, 2},
+    {150, 180, 0, 2},  {100, 180, 0, 2},  {95, 180, -1, 1},  {80, 180, -2, 0}, {50, 50, -2, 0},
     {150, 50, 0, 0},   {50, -150, 0, 0},  {200, -200, 1, 0},
 };
 
@@ -157,8 +157,7 @@ static void test_check_sum_covers_both_outputs(void)
 {
     TEST_ASSERT_EQUAL_HEX16(LUT_CRC16, lut_crc16(LUT_CRC16_START, 0, LUT_BYTES));
     TEST_ASSERT_EQUAL_HEX16(
-        LUT_CRC16,
-        lut_crc16(lut_crc16(LUT_CRC16_START, 0, LUT_BYTES - 20), LUT_BYTES - 20, 20));
+        LUT_CRC16, lut_crc16(lut_crc16(LUT_CRC16_START, 0, LUT_BYTES - 20), LUT_BYTES - 20, 20));
 }
 
 #ifndef __SDCC_mcs51
@@ -199,7 +198,8 @@ static void decide(int gap_mm, int closing_mmps, int *command_x2, int *change_x2
 #define RULE(strength, command, changes)                                                           \
     do {                                                                                           \
         int is = strength;                                                                         \
-        command_is[(command) + 1] = is > command_is[(command) + 1] ? is : command_is[(command) + 1]; \
+        command_is[(command) + 1] =                                                                \
+            is > command_is[(command) + 1] ? is : command_is[(command) + 1];                       \
         change_is[changes] = is > change_is[changes] ? is : change_is[changes];                    \
     } while (0)
     RULE(gap[4], 1, 0);
@@ -245,8 +245,9 @@ static void test_thresholds_and_cells_are_the_whole_system(void)
             if (follow.command_x2 != command_x2 || follow.change_x2 != change_x2) {
                 char text[120];
 
-                snprintf(text, sizeof text, "gap %d mm, closing %d mm/s: %d %d, wanted %d %d", gap_mm,
-                         closing_mmps, follow.command_x2, follow.change_x2, command_x2, change_x2);
+                snprintf(text, sizeof text, "gap %d mm, closing %d mm/s: %d %d, wanted %d %d",
+                         gap_mm, closing_mmps, follow.command_x2, follow.change_x2, command_x2,
+                         change_x2);
                 TEST_FAIL_MESSAGE(text);
             }
         }

@@ -153,7 +153,8 @@ static void test_brake_holds_through_the_last_creep(void)
 {
     situation(480, 29, 0, 0);
     TEST_ASSERT_LESS_OR_EQUAL_INT16(-GAP_HOLD_CMPS2, gap.accel_cmps2);
-    situation(500, 0, 0, 0); /* as far as it should be, on the mark: the law alone says next to nothing */
+    situation(500, 0, 0,
+              0); /* as far as it should be, on the mark: the law alone says next to nothing */
     TEST_ASSERT_TRUE(gap.accel_cmps2 >= 0 || gap.accel_cmps2 <= -GAP_HOLD_CMPS2);
 }
 
@@ -243,8 +244,8 @@ static void test_a_node_is_met_exactly(void)
 
     for (row = 0; row < LUT_IN1_CELLS; row++)
         for (col = 0; col < LUT_IN2_CELLS; col++)
-            TEST_ASSERT_EQUAL_UINT8(
-                lut_at(row, col), lut_between((uint16_t)((uint16_t)row << 8), (uint16_t)((uint16_t)col << 8)));
+            TEST_ASSERT_EQUAL_UINT8(lut_at(row, col), lut_between((uint16_t)((uint16_t)row << 8),
+                                                                  (uint16_t)((uint16_t)col << 8)));
 }
 
 /* 256 * 256 times the plane through the four nodes around. */
@@ -253,7 +254,8 @@ static uint32_t plane(uint16_t row_q8, uint16_t col_q8)
     uint8_t row = (uint8_t)(row_q8 >> 8), col = (uint8_t)(col_q8 >> 8);
     uint32_t down = row_q8 & 255, right = col_q8 & 255;
 
-    return (256 - down) * ((256 - right) * lut_at(row, col) + right * lut_at(row, (uint8_t)(col + 1))) +
+    return (256 - down) *
+               ((256 - right) * lut_at(row, col) + right * lut_at(row, (uint8_t)(col + 1))) +
            down * ((256 - right) * lut_at((uint8_t)(row + 1), col) +
                    right * lut_at((uint8_t)(row + 1), (uint8_t)(col + 1)));
 }
@@ -278,8 +280,8 @@ static void test_last_position_stays_inside(void)
 {
     uint8_t corner = lut_at(LUT_IN1_CELLS, LUT_IN2_CELLS);
 
-    TEST_ASSERT_UINT8_WITHIN(
-        2, corner, lut_between(LUT_IN1_CELLS * 256U - 1U, LUT_IN2_CELLS * 256U - 1U));
+    TEST_ASSERT_UINT8_WITHIN(2, corner,
+                             lut_between(LUT_IN1_CELLS * 256U - 1U, LUT_IN2_CELLS * 256U - 1U));
 }
 
 static void test_check_sum_is_the_headers(void)
@@ -306,7 +308,7 @@ static void assert_from_to(double low, double high, double actual, int line)
     snprintf(text, sizeof text, "%.4f is not from %.4f to %.4f", actual, low, high);
     UNITY_TEST_ASSERT(actual >= low && actual <= high, (UNITY_LINE_TYPE)line, text);
 }
-#define WITHIN(delta, expected, actual) \
+#define WITHIN(delta, expected, actual)                                                            \
     assert_from_to((expected) - (delta), (expected) + (delta), actual, __LINE__)
 
 static double clamped(double x, double low, double high)
@@ -334,9 +336,8 @@ static double fuzzy_mps2(double room, double opening)
     opening = clamped(opening, -0.8, 0.8);
     for (int i = 0; i < 5; i++) {
         for (int j = 0; j < 5; j++) {
-            double both =
-                fmin(triangle(room, rooms[i], rooms[i + 1], rooms[i + 2]),
-                     triangle(opening, 0.4 * (j - 3), 0.4 * (j - 2), 0.4 * (j - 1)));
+            double both = fmin(triangle(room, rooms[i], rooms[i + 1], rooms[i + 2]),
+                               triangle(opening, 0.4 * (j - 3), 0.4 * (j - 2), 0.4 * (j - 1)));
             strength[rules[i][j]] = fmax(strength[rules[i][j]], both);
         }
     }
@@ -366,20 +367,19 @@ static double accel_mps2(double gap_m, double own_mps, double lead_mps, double l
     safe_m += 5;
     h = 0.9 + v / 6;
     lq = clamped(-0.3 * (safe_m - gap_m) - (own_mps - lead_mps) / h, -8, 8);
-    return clamped(
-        0.5 * lq + 0.5 * fuzzy_mps2(0.2 * (gap_m - safe_m), 0.04 * (lead_mps - own_mps)), -8, 8);
+    return clamped(0.5 * lq + 0.5 * fuzzy_mps2(0.2 * (gap_m - safe_m), 0.04 * (lead_mps - own_mps)),
+                   -8, 8);
 }
 
 static void test_floating_point_laws_give_the_printed_values(void)
 {
     for (size_t i = 0; i < sizeof spots / sizeof spots[0]; i++)
         WITHIN(0.0006, spots[i].float_mmps2 / 1000.0,
-                                  accel_mps2(spots[i].gap_m, spots[i].own_mps, spots[i].lead_mps,
-                                             spots[i].state == 3 ? -6 : 0));
+               accel_mps2(spots[i].gap_m, spots[i].own_mps, spots[i].lead_mps,
+                          spots[i].state == 3 ? -6 : 0));
     for (size_t i = 0; i < sizeof fuzzy_spots / sizeof fuzzy_spots[0]; i++)
-        WITHIN(
-            0.0006, fuzzy_spots[i].accel_mmps2 / 1000.0,
-            fuzzy_mps2(fuzzy_spots[i].room / 1000.0, fuzzy_spots[i].opening / 1000.0));
+        WITHIN(0.0006, fuzzy_spots[i].accel_mmps2 / 1000.0,
+               fuzzy_mps2(fuzzy_spots[i].room / 1000.0, fuzzy_spots[i].opening / 1000.0));
 }
 
 static void test_integers_are_the_laws_to_0_17_mps2(void)
@@ -407,8 +407,8 @@ static void test_integers_are_the_laws_to_0_17_mps2(void)
     assert_from_to(0, 0.06, sqrt(squares / count), __LINE__);
 }
 
-/* The published cases in closed loop: the car follows the command with a lag of 0.2 s, control every
- * 0.05 s, Euler steps of 0.01 s. */
+/* The published cases in closed loop: the car follows the command with a lag of 0.2 s, control
+ * every 0.05 s, Euler steps of 0.01 s. */
 struct run {
     double gap_m, end_s, least_mps2, least_s, first_mps2, at_0_4_mps2, last_mps2, fastest_mps;
     double apart_s; /* when the relative speed was largest */
@@ -467,8 +467,8 @@ static void test_published_cases_end_where_they_should(void)
     for (int i = 0; i < 3; i++) {
         struct run real = run(i + 1, false), integer = run(i + 1, true);
 
-        printf("case %d: integer %.2f m %.2f s, floating point %.2f m %.2f s\n", i + 1, integer.gap_m,
-               integer.end_s, real.gap_m, real.end_s);
+        printf("case %d: integer %.2f m %.2f s, floating point %.2f m %.2f s\n", i + 1,
+               integer.gap_m, integer.end_s, real.gap_m, real.end_s);
         WITHIN(1, paper_m[i], integer.gap_m);
         WITHIN(0.25, real.gap_m, integer.gap_m);
         WITHIN(0.01, reference_m[i], real.gap_m);

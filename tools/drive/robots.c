@@ -28,8 +28,7 @@ void robots_step(struct robots *robots, double accel_mmps2, bool asks_for_lane)
     if (robots->own_mmps > ROBOTS_SPEED_MAX_MMPS)
         robots->own_mmps = ROBOTS_SPEED_MAX_MMPS;
     /* The mean speed of the step, exact for a constant acceleration. */
-    robots->gap_um +=
-        (2 * robots->lead_mmps - before_mmps - robots->own_mmps) * ROBOTS_STEP_MS / 2;
+    robots->gap_um += (2 * robots->lead_mmps - before_mmps - robots->own_mmps) * ROBOTS_STEP_MS / 2;
     robots->step++;
     if (robots->gap_um < robots->least_gap_um)
         robots->least_gap_um = robots->gap_um;

@@ -18,13 +18,13 @@ enum {
 struct robots {
     int32_t gap_um;
     int own_mmps;
-    int lead_mmps; /* may be set before any step, until the lane is changed */
+    int lead_mmps;     /* may be set before any step, until the lane is changed */
     bool lane_is_free; /* the other one; taken once the robot has changed to it */
     int new_lead_mmps; /* who drives there */
     int step;          /* so many are over */
     int changed_step;  /* the change was made then; -1: none */
     int least_gap_um;
-    bool collided;     /* the gap came to 0: nothing moves any more */
+    bool collided; /* the gap came to 0: nothing moves any more */
 };
 
 /* Sets what is not the scenario's: step, changed_step, least_gap_um, collided. */

@@ -1,5 +1,5 @@
-/* Every start of the follower's grid, with the firmware's own decision compiled for the host and the
- * plant of drive. One line of CSV a start. The Makefile builds it once for each rule set. */
+/* Every start of the follower's grid, with the firmware's own decision compiled for the host and
+ * the plant of drive. One line of CSV a start. The Makefile builds it once for each rule set. */
 #include "follow.h"
 #include "../drive/robots.h"
 
@@ -63,7 +63,8 @@ static error_t take_option(int key, char *text, struct argp_state *state)
 static const struct argp parser = {
     .options = options,
     .parser = take_option,
-    .doc = "Runs the follower from each start of its grid, with no lane to change to, and prints CSV.",
+    .doc =
+        "Runs the follower from each start of its grid, with no lane to change to, and prints CSV.",
 };
 
 static void decide(const struct robots *robots)
@@ -105,8 +106,8 @@ static void run(struct robots robots, int steps)
         robots_step(&robots, accel_mmps2(), follow.asks_for_lane);
     }
     printf("%d,%.1f,%.3f,%.3f,%d\n", robots.collided,
-           robots.collided ? robots.step * ROBOTS_STEP_MS / 1000.0 : 0.0,
-           robots.least_gap_um / 1e6, robots.gap_um / 1e6, unavoidable);
+           robots.collided ? robots.step * ROBOTS_STEP_MS / 1000.0 : 0.0, robots.least_gap_um / 1e6,
+           robots.gap_um / 1e6, unavoidable);
 }
 
 int main(int argc, char **argv)
@@ -118,9 +119,9 @@ int main(int argc, char **argv)
     follow_init();
     puts("gap_mm,own_mmps,lead_mmps,collided,collided_s,least_gap_m,last_gap_m,unavoidable");
     for (int start = 0; start < GAPS * OWN_SPEEDS * LEAD_SPEEDS; start += arguments.every)
-        run((struct robots){
-                .gap_um =
-                    (GAP_FIRST_MM + GAP_STEP_MM * (start / LEAD_SPEEDS / OWN_SPEEDS)) * 1000,
+        run(
+            (struct robots){
+                .gap_um = (GAP_FIRST_MM + GAP_STEP_MM * (start / LEAD_SPEEDS / OWN_SPEEDS)) * 1000,
                 .own_mmps = OWN_STEP_MMPS * (start / LEAD_SPEEDS % OWN_SPEEDS),
                 .lead_mmps = LEAD_STEP_MMPS * (start % LEAD_SPEEDS),
             },
