@@ -162,9 +162,12 @@ function read_scenario(name, file,    line, in_expect, text) {
     if (match(text, /impact_mps ≤ [0-9.]+/)) { line = substr(text, RSTART, RLENGTH); sub(/.* /, "", line); owed_mps[name] = line }
 }
 
-function group_of(name,    k) {
-    for (k = 1; k <= groups; k++) if (index(name, group[k] "_") == 1 || name == group[k]) return k
-    return 0
+function group_of(name,    k, others) {
+    for (k = 1; k <= groups; k++) {
+        if (index(name, group[k] "_") == 1 || name == group[k]) return k
+        if (group[k] == "*") others = k
+    }
+    return others + 0
 }
 
 BEGIN {
@@ -180,7 +183,7 @@ BEGIN {
     images = 0
     for (k = 1; k <= entries["image"]; k++) {
         parts(entry["image", k], part)
-        if (index(" " built " ", " " part[1] " ")) { image[++images] = part[1]; image_name[images] = part[2]; image_short[images] = part[3] == "" ? part[2] : part[3] }
+        if (index(" " built " ", " " part[1] " ")) { image[++images] = part[1]; image_name[images] = part[2]; image_short[images] = part[3] == "" ? part[2] : part[3]; colour[images] = (k - 1) % 5 + 1 }
         else missing = missing (missing == "" ? "" : ", ") part[2]
     }
     values = work "/" id ".values"
@@ -231,7 +234,6 @@ $1 == id {
 function add(list, item) { return list == "" ? item : list ",\n" item }
 function pair(name, value) { return quote(name) ":" quote(value) }
 function flag(name, value) { return quote(name) ":" (value ? "true" : "false") }
-function colour(k) { return (k - 1) % 5 + 1 }
 
 function columns_json(    list, k) {
     for (k = 1; k <= columns; k++) {
@@ -288,7 +290,7 @@ function draw_traces(    k, s, panels, labels, names, references, lows, highs, f
         for (k = 1; k <= images; k++) {
             if (!index(traced[order[s]] " ", " " image[k] " ")) continue
             files = files " " work "/traces/" id "." image[k] "." order[s] ".csv"
-            colours = colours " " colour(k)
+            colours = colours " " colour[k]
         }
         draw(id "-trace-" order[s], "trace.gp", "files=" substr(files, 2), "colours=" substr(colours, 2), panels)
     }
@@ -302,8 +304,8 @@ function exists(file,    line, found) {
 
 # The other figures: described, and drawn where their data is there. In a data file's name, {} stands
 # for the image.
-function figures_json(    list, items, k, c, name, all, colours, file) {
-    for (c = 1; c <= images; c++) { all = all " " image[c]; colours = colours " " colour(c) }
+function figures_json(    list, items, k, c, name, all, names, colours, file) {
+    for (c = 1; c <= images; c++) { all = all " " image[c]; names = names " \"" image_short[c] "\""; colours = colours " " colour[c] }
     for (k = 1; k <= entries["figure"]; k++) {
         parts(entry["figure", k], part)
         name = part[1]; sub(/\.gp$/, "", name)
@@ -316,10 +318,10 @@ function figures_json(    list, items, k, c, name, all, colours, file) {
             if (file != "" && !exists(file)) continue
             if (part[4] == "each") {
                 items = add(items, "{" pair("id", id "-" name "-" image[c]) "," pair("caption", image_name[c]) "}")
-                draw(id "-" name "-" image[c], part[1], "values=" values, "colours=" colour(c), word("image=" image[c]) word("data=" file))
+                draw(id "-" name "-" image[c], part[1], "values=" values, "colours=" colour[c], word("image=" image[c]) word("data=" file))
             } else {
                 items = add(items, "{" pair("id", id "-" name) "," pair("caption", "") "}")
-                draw(id "-" name, part[1], "values=" values, "colours=" substr(colours, 2), word("image=" substr(all, 2)) word("data=" file))
+                draw(id "-" name, part[1], "values=" values, "colours=" substr(colours, 2), word("image=" substr(all, 2)) word("names=" substr(names, 2)) word("data=" file))
             }
         }
         if (items != "")
@@ -347,7 +349,7 @@ END {
     for (k = 1; k <= entries["about"]; k++) about = add(about, quote(entry["about", k]))
     if (missing != "") about = add(about, quote("Not built for this board, so not here: " missing "."))
     for (k = 1; k <= images; k++)
-        image_list = add(image_list, "{" pair("id", image[k]) "," pair("name", image_name[k]) "," pair("short", image_short[k]) "}")
+        image_list = add(image_list, "{" pair("id", image[k]) "," pair("name", image_name[k]) "," pair("short", image_short[k]) ",\"colour\":" colour[k] "}")
     for (s = 1; s <= scenarios; s++)
         scenario_list = add(scenario_list, quote(order[s]) ":{" pair("title", title_of[order[s]]) "," pair("owed", owed_text[order[s]]) "}")
     print (said ? "" : "{\"runs\":{") "},"

@@ -3,7 +3,8 @@
 ink = '#000010'; soft = '#000011'; gridline = '#000012'
 level(n) = sprintf('#0000%02x', 32 + n)
 series(k) = sprintf('#0000%02x', int(word(colours, k)))
-set border lw 1 lc rgb soft
+set border 3 lw 1 lc rgb soft
+set tics nomirror
 set tics textcolor rgb soft
 set xlabel tc rgb soft
 set ylabel tc rgb soft

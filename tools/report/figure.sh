@@ -20,11 +20,11 @@ if sed '1,/<\/defs>/d' "$out.part" | grep -q '<use'; then unused=; fi
 sed -E -z -e 's|^.*<svg[ \n]+width="[0-9]+" height="[0-9]+"|<svg|' -e "$unused" \
     -e 's/ id="gnuplot_[^"]*"//g; s|<title>[^<]*</title>||g; s|<desc>[^<]*</desc>||g' \
     -e 's/ stroke-linecap="butt"| stroke-linejoin="miter"| color="[a-z]+"| class="gridline"| stroke-width="1.00"//g' \
-    -e 's/([0-9]\.[0-9])[0-9]+/\1/g; s/([0-9])\.0+([^0-9.])/\1\2/g' -e 's/[ \t]+/ /g; s/ ?\n ?/\n/g' \
+    -e 's|<tspan font-family="sans" >([^<]*)</tspan>|\1|g; s/ font-family="sans"//g' -e 's/[ \t]+/ /g; s/ ?\n ?/\n/g' \
     -e ':empty; s|<g[^>]*>\n*</g>||g; t empty' -e 's/\n+/\n/g' \
     -e "s/rgb\( *0, *0, *([1-5])\)/var(--c\1)/g" \
     -e 's/rgb\( *0, *0, *16\)/var(--ink)/g; s/rgb\( *0, *0, *17\)/var(--soft)/g; s/rgb\( *0, *0, *18\)/var(--grid)/g' \
     -e 's/rgb\( *0, *0, *32\)/var(--m0)/g; s/rgb\( *0, *0, *33\)/var(--m1)/g; s/rgb\( *0, *0, *34\)/var(--m2)/g' \
     -e 's/rgb\( *0, *0, *35\)/var(--m3)/g; s/rgb\( *0, *0, *36\)/var(--m4)/g' \
-    "$out.part" >"$out.clean"
+    "$out.part" | awk -v RS="'" -f tools/report/thin.awk >"$out.clean"
 mv "$out.clean" "$out"

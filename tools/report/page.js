@@ -20,7 +20,7 @@ function number(value, digits) {
     return value == null ? "–" : value.toFixed(digits);
 }
 
-const seriesColour = (tab, image) => `var(--c${tab.images.findIndex((one) => one.id === image) % 5 + 1})`;
+const seriesColour = (tab, image) => `var(--c${tab.images.find((one) => one.id === image).colour})`;
 const runOf = (tab, image, scenario) => tab.runs[`${image}/${scenario}`];
 const isPlayable = (tab, scenario) => tab.images.some((image) => runOf(tab, image.id, scenario)?.trace);
 const figureText = (id) => document.getElementById(`figure-${id}`)?.textContent;

@@ -98,14 +98,14 @@ function makePlayer(tab) {
         trace.hidden = !text;
         dim();
         const run = runOf(tab, state.image, state.scenario);
-        outcome.replaceChildren(...(run?.expect ?? []).map((one) =>
+        outcome.replaceChildren(...(run?.expect ?? []).filter((one) => one.text !== "impact = any").map((one) =>
             make("li", { class: one.met ? "met" : "unmet" }, `${one.text}: ${one.value}`)));
         draw();
     }
 
     /* In the trace, what belongs to other controllers steps back. */
     function dim() {
-        tab.images.forEach((image, k) => drawing.querySelectorAll(`[stroke="var(--c${k % 5 + 1})"], [fill="var(--c${k % 5 + 1})"]`)
+        tab.images.forEach((image) => drawing.querySelectorAll(`[stroke="${seriesColour(tab, image.id)}"]`)
             .forEach((path) => path.classList.toggle("other", !state.all && image.id !== state.image)));
     }
 
@@ -127,7 +127,8 @@ function makePlayer(tab) {
             run.way ??= speeds ? wayOf(run.trace.t, speeds) : null;
             const at = momentOf(tab, run.trace, t_s), k = indexAt(run.trace.t, t_s);
             if (run.way) at.x_m = run.way[k] + speeds[k] * (t_s - run.trace.t[k]);
-            return { name: tab.images.find((one) => one.id === image).name, colour: seriesColour(tab, image), at, trace: run.trace,
+            const { name, short } = tab.images.find((one) => one.id === image);
+            return { name, short, colour: seriesColour(tab, image), at, trace: run.trace,
                 ended: state.t_s >= end_s, impact: run.values?.impact_mps ?? 0, chosen: image === state.image };
         });
         const width = Math.max(300, scene.clientWidth || 700);
@@ -142,7 +143,7 @@ function makePlayer(tab) {
         readout.replaceChildren(...tab.columns.filter((column) => column.shown).map((column) => {
             const value = mine?.at[column.key];
             return make("div", {}, make("span", {}, column.name),
-                make("b", {}, value == null ? "–" : typeof value === "number" ? `${value.toFixed(column.digits)} ${column.unit}` : value));
+                make("b", {}, value == null || value === "" ? "–" : typeof value === "number" ? `${value.toFixed(column.digits)} ${column.unit}` : value));
         }));
         /* The margins are those that trace.gp sets. */
         const left = 0.11, right = 0.97;

@@ -55,24 +55,39 @@ short_hash() {
 rm -f "$REPORT_OUT"/scenarios/*.scn
 $here/scenarios.sh --map="$MAP" "$REPORT_OUT/scenarios"
 
+# The scenarios of a tab: lines of file, name, the one image that it is for or *. A file may name its
+# image itself (app = ...); those under "own" are for the first image of the tab. A prefix that marks a
+# variant's files is dropped from the name, so that variants stand side by side.
+scenarios_of() {
+    local tab=$1 key file prefixes
+    prefixes=$(tab_values "$tab" variant | tr ' ' '|')
+    for key in scenarios own; do
+        for file in $(tab_values "$tab" $key | sed "s|build/report/|$REPORT_OUT/|g"); do
+            [ -f "$file" ] || continue
+            printf '%s\t%s\t%s\n' "$file" "$(basename "$file" .scn | sed -E "s/^(${prefixes:-^})//")" \
+                "$(if [ $key = own ]; then tab_values "$tab" image | awk 'NR == 1 { print $1 }'; else sed -n 's/^app *= *//p' "$file"; fi)"
+        done
+    done
+}
+
 # All pairs of image and scenario.
 built=
 ids=
 for tab in $here/tabs/*.tab; do
     id=$(tab_id "$tab")
     ids="$ids $id"
+    scenarios_of "$tab" >"$work/scenarios"
     for image in $(tab_values "$tab" image | cut -d'|' -f1); do
         hex=build/$board/$image.ihx
         [ -f "$hex" ] || continue
         [[ -z $IMAGES || " $IMAGES " == *" $image "* ]] || continue
         built="$built $image"
         hash=$(short_hash "$hex")
-        for scenario in $(tab_values "$tab" scenarios | sed "s|build/report/|$REPORT_OUT/|g"); do
-            name=$(basename "$scenario" .scn)
-            if [ -f "$scenario" ] && wanted "$name"; then
+        while IFS=$'\t' read -r scenario name only_image; do
+            if [ "${only_image:-$image}" = "$image" ] && wanted "$name"; then
                 printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$id" "$image" "$name" "$hash" "$hex" "$scenario"
             fi
-        done
+        done <"$work/scenarios"
     done
 done >"$work/pairs"
 [ -n "$built" ] || fail "no image of a controller in build/$board; run make BOARD=$board"

@@ -50,7 +50,7 @@ function sceneRoad(view, runs) {
             svg += `<rect x="${x.toFixed(1)}" y="${top + 31}" width="${(dash * 0.5).toFixed(1)}" height="2" fill="var(--mark)" opacity="0.75"/>` +
                 `<rect x="${x.toFixed(1)}" y="${top + 83}" width="${(dash * 0.5).toFixed(1)}" height="2" fill="var(--mark)" opacity="0.75"/>`;
         /* The sensor's beam, its range, and the stop line. */
-        const reach = view.rangeM * scale, half = 15;
+        const reach = (ahead ? Math.min(view.rangeM, Math.max(gap, 0)) : view.rangeM) * scale, half = 15 * reach / (view.rangeM * scale);
         svg += `<path d="M ${noseX.toFixed(1)} ${y} l ${reach.toFixed(1)} ${-half} q ${(half * 0.4).toFixed(1)} ${half} 0 ${2 * half} z" fill="${run.colour}" opacity="0.22"/>`;
         if (view.stopM > 0)
             svg += `<line x1="${(noseX + view.stopM * scale).toFixed(1)}" x2="${(noseX + view.stopM * scale).toFixed(1)}" y1="${y - 24}" y2="${y + 24}" stroke="#ff5b4d" stroke-width="2" stroke-dasharray="4 3"/>`;
@@ -68,16 +68,16 @@ function sceneRoad(view, runs) {
         if (run.impact > 0 && run.ended)
             svg += burst(leadX, y, 20);
         /* What the controller does, above the lane. */
-        const brake = at.brake_pct || 0, state = run.ended && run.impact > 0 ? `impact, ${run.impact.toFixed(1)} m/s` : at.state || "";
+        const brake = at.brake_pct || 0, state = run.ended && run.impact > 0 ? `impact at ${run.impact.toFixed(1)} m/s` : at.state || "";
         const gaugeX = view.width - 10 - Math.min(150, view.width * 0.3), gaugeW = view.width - 10 - gaugeX;
         svg += `<rect x="0" y="${top}" width="${view.width}" height="28" fill="var(--card)"/>` +
             `<rect x="0" y="${top + 88}" width="${view.width}" height="${lane - 88}" fill="var(--verge)"/>` +
             `<rect x="0" y="${top}" width="5" height="28" fill="${run.colour}"/>` +
-            svgText(12, top + 19, run.name, 'fill="var(--ink)" font-size="14" font-weight="600"') +
+            svgText(12, top + 19, view.width < 520 ? run.short : run.name, 'fill="var(--ink)" font-size="14" font-weight="600"') +
             svgText(gaugeX - 10, top + 19, state, `fill="${run.ended && run.impact > 0 ? "var(--bad)" : "var(--soft)"}" font-size="13" text-anchor="end"`) +
             `<rect x="${gaugeX}" y="${top + 8}" width="${gaugeW}" height="13" rx="3" fill="none" stroke="var(--line)"/>` +
             `<rect x="${gaugeX}" y="${top + 8}" width="${(gaugeW * Math.min(brake, 100) / 100).toFixed(1)}" height="13" rx="3" fill="${at.stop ? "var(--bad)" : run.colour}"/>` +
-            svgText(gaugeX + gaugeW / 2, top + 19, `${at.stop ? "STOP " : ""}${brake.toFixed(0)} %`, 'fill="var(--ink)" font-size="12" text-anchor="middle"');
+            svgText(gaugeX + gaugeW / 2, top + 19, `${at.stop ? "STOP " : ""}${brake.toFixed(0)} %`, 'fill="var(--ink)" font-size="12" text-anchor="middle" stroke="var(--card)" stroke-width="2.5" paint-order="stroke"');
     });
     return { height: runs.length * lane, svg };
 }

@@ -5,7 +5,7 @@ load 'tools/report/figure.gp'
 set datafile separator comma
 panels = words(columns)
 height = 122 * panels + 40
-set terminal svg size 480,height font 'sans,13'
+set terminal svg size 480,height font 'sans,14'
 set output out
 set multiplot
 set lmargin at screen 0.11; set rmargin at screen 0.97
@@ -16,9 +16,9 @@ do for [k = 1:words(files)] {
 }
 set xrange [0:end_s]
 set xtics format ''
-set tics font ',11' scale 0.4
+set tics font ',12' scale 0.4
 do for [p = 1:panels] {
-    if (p == panels) { set xtics format '%g'; set label 2 'time, s' at screen 0.54, screen 9.0 / height center font ',11' tc rgb soft }
+    if (p == panels) { set xtics format '%g'; set label 2 'time, s' at screen 0.54, screen 9.0 / height center font ',12' tc rgb soft }
     set tmargin at screen 1 - (122.0 * (p - 1) + 20) / height
     set bmargin at screen 1 - (122.0 * p - 4) / height
     set label 1 word(labels, p) at graph 0, 1 offset 0, 0.55 left tc rgb ink
