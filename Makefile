@@ -80,14 +80,15 @@ build/sanitized/%.o: %.c | build/boards.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g -O1 $(SANITIZE) $(HOST_FLAGS) -c $< -o $@
 
-# What drive must know of a board, taken from the fragment that builds its firmware.
-build/boards.h: $(wildcard firmware/boards/*.mk)
+# What drive must know of a board, taken from the fragment that builds its firmware; the pins in
+# the order of enum board_pin.
+DRIVE_PINS := PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE
+build/boards.h: Makefile $(wildcard firmware/boards/*.mk)
 	@mkdir -p $(@D)
-	$(Q)for board in $^; do \
-	    awk -v name="$$(basename $$board .mk)" '$$2 == ":=" { value[$$1] = $$3 } END { \
-	        printf "BOARD(%s, %s, \"%s\", %s, %s, %s, %s, %s, %s, %s)\n", name, value["CLK_HZ"], value["S51_TYPE"], \
-	            value["PIN_PWM"], value["PIN_STOP"], value["PIN_TRIGGER"], value["PIN_LAMP"], value["PIN_BUZZER"], \
-	            value["PIN_ECHO"], value["PIN_OVERRIDE"] }' $$board; \
+	$(Q)for board in $(filter %.mk,$^); do \
+	    awk -v name="$$(basename $$board .mk)" -v pins="$(DRIVE_PINS)" '$$2 == ":=" { value[$$1] = $$3 } END { \
+	        printf "BOARD(%s, %s, \"%s\"", name, value["CLK_HZ"], value["S51_TYPE"]; count = split(pins, pin, " "); \
+	        for (i = 1; i <= count; i++) printf ", %s", value["PIN_" pin[i]]; print ")" }' $$board; \
 	done >$@.part; mv $@.part $@
 
 # --- controllers ------------------------------------------------------------------------------
@@ -149,7 +150,7 @@ include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
 SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
-    $(foreach pin,PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE,-DPIN_$(pin)=$(PIN_$(pin)))
+    $(foreach pin,$(DRIVE_PINS),-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
 .PHONY: firmware

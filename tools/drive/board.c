@@ -33,8 +33,8 @@ const char *board_names(void)
 
 const char *board_pin_name(enum board_pin pin)
 {
-    static const char *const names[BOARD_PINS] = {"pwm",    "stop", "trigger", "lamp",
-                                                  "buzzer", "echo", "override"};
+    static const char *const names[BOARD_PINS] = {"pwm",   "stop", "trigger", "lamp", "buzzer",
+                                                  "servo", "cut",  "lane",    "echo", "override"};
 
     return names[pin];
 }

@@ -12,6 +12,9 @@ enum board_pin {
     PIN_TRIGGER, /* a high pulse starts a measurement */
     PIN_LAMP,    /* low = on */
     PIN_BUZZER,  /* low = on */
+    PIN_SERVO,   /* pulses of 1..2 ms */
+    PIN_CUT,     /* high = the driver's throttle is cut */
+    PIN_LANE,    /* low = asks for the next lane */
     BOARD_OUTPUTS,
     PIN_ECHO = BOARD_OUTPUTS, /* high as long as the sound is on its way */
     PIN_OVERRIDE,             /* low = held by the driver */

@@ -89,6 +89,12 @@ double car_lead_mps(const struct car *car)
     return speed;
 }
 
+/* A car in another lane is passed. */
+static bool is_in_the_way(const struct car *car)
+{
+    return car->lead_there && fabs(car->lead.lane) < 0.5;
+}
+
 /* It appears GAP_M ahead of the ego, wherever that is by then. */
 static void place_lead(struct car *car)
 {
@@ -132,8 +138,9 @@ static double driver_push_mps2(const struct car *car)
 {
     double wish;
 
-    if (car->ego.driver == DRIVER_COASTS || car->demand_pct > 0 || car->acting_pct > 0)
-        return 0; /* the throttle is cut while the controller brakes */
+    if (car->ego.driver == DRIVER_COASTS || car->throttle_cut || car->demand_pct > 0 ||
+        car->acting_pct > 0)
+        return 0; /* nobody pushes while the controller brakes */
     wish = (car->ego.driver_mps - car->v_mps) * driver_gain_per_s + car->ego.rolling_mps2;
     return fmin(fmax(wish, 0), car->ego.driver_mps2);
 }
@@ -210,7 +217,8 @@ static void note_step(struct car *car, const struct motion *end, double start_s,
     struct car_record *record = &car->record;
     double gap = car_gap_m(car), lead_mps = car_lead_mps(car);
 
-    record->min_gap_m = fmin(record->min_gap_m, gap);
+    if (is_in_the_way(car))
+        record->min_gap_m = fmin(record->min_gap_m, gap);
     if (isfinite(end->rest_s)) {
         record->rest_s = start_s + end->rest_s;
         record->rest_gap_m = gap;
@@ -241,7 +249,7 @@ static void step(struct car *car, int64_t t_ns)
         car->record.peak_jerk_mps3 =
             fmax(car->record.peak_jerk_mps3, fabs(b1 - start.brake_mps2) / car->ego.brake_lag_s);
     end = motion_after(car, &start, t_s);
-    if (car->lead_there && lead_x_m(car, start_s + t_s, &lead_mps) <= end.x_m) {
+    if (is_in_the_way(car) && lead_x_m(car, start_s + t_s, &lead_mps) <= end.x_m) {
         note_impact(car, &start, start_s, t_s);
         return;
     }
@@ -272,7 +280,8 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
                                       .first_rest_s = INFINITY,
                                       .still_s = INFINITY};
     place_lead(car);
-    car->record.min_gap_m = car_gap_m(car);
+    if (is_in_the_way(car))
+        car->record.min_gap_m = car_gap_m(car);
     if (car->v_mps <= 0) /* at rest on its mark */
         car->record.rest_s = car->record.first_rest_s = 0, car->record.rest_gap_m = car_gap_m(car);
 }
@@ -330,4 +339,10 @@ void car_demand(struct car *car, int64_t t_ns, double percent)
     }
     car->demands[slot].at_ns = car->now_ns + dead_ns;
     car->demands[slot].percent = percent;
+}
+
+void car_cut(struct car *car, int64_t t_ns, bool cut)
+{
+    car_advance(car, t_ns);
+    car->throttle_cut = cut;
 }

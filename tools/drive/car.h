@@ -36,6 +36,7 @@ struct car {
     double acting_pct;    /* the demand of a dead time ago */
     double lead_origin_m; /* where the lead's own path begins on the lane */
     bool lead_there, lead_placed;
+    bool throttle_cut; /* the driver cannot accelerate */
     struct {
         int64_t at_ns;
         double percent;
@@ -52,6 +53,9 @@ void car_advance(struct car *car, int64_t t_ns);
 
 /* The pins demand PERCENT of the brake from T_NS on; advances to there. */
 void car_demand(struct car *car, int64_t t_ns, double percent);
+
+/* The driver's throttle is cut from T_NS on, or no longer; advances to there. */
+void car_cut(struct car *car, int64_t t_ns, bool cut);
 
 /* Gap to the car ahead, m; INFINITY when there is none. */
 double car_gap_m(const struct car *car);

@@ -51,7 +51,9 @@ void expect_value(enum metric metric, const struct outcome *outcome, char *text,
 {
     double value = outcome->values[metric];
 
-    if (metric == METRIC_IMPACT)
+    if (metric == METRIC_PARKED && !isnan(value))
+        snprintf(text, size, "%s", value > 0 ? "yes" : "no");
+    else if (metric == METRIC_IMPACT && !isnan(value))
         snprintf(text, size, "%s", outcome->values[METRIC_IMPACT] > 0 ? "any" : "none");
     else if (metric == METRIC_FINAL_STATE)
         snprintf(text, size, "%s", outcome->final_state[0] ? outcome->final_state : "none");
@@ -60,6 +62,8 @@ void expect_value(enum metric metric, const struct outcome *outcome, char *text,
     else if (metrics[metric].kind == KIND_LIST)
         snprintf(text, size, "%.*s", (int)strlen(outcome->states) - (outcome->states[0] != '\0'),
                  outcome->states);
+    else if (isnan(value))
+        snprintf(text, size, "not measured by this app");
     else if (isinf(value))
         snprintf(text, size, "%s", value > 0 ? "never" : "none before");
     else
@@ -101,6 +105,8 @@ bool expect_holds(const struct expectation *expectation, const struct outcome *o
     switch (expectation->metric) {
     case METRIC_IMPACT:
         return strcmp(expectation->text, "any") == 0 || value <= 0;
+    case METRIC_PARKED:
+        return strcmp(expectation->text, value > 0 ? "yes" : "no") == 0 && !isnan(value);
     case METRIC_FINAL_STATE:
         return strcmp(expectation->text, outcome->final_state) == 0;
     case METRIC_REACHED:

@@ -32,6 +32,14 @@
     METRIC(WARNINGS, "warnings", "", 0, KIND_COUNT)                 /* lamp or buzzer goes on */   \
     METRIC(RESETS, "resets", "", 0, KIND_COUNT)                     /* by the watchdog */          \
     METRIC(RESET_BRAKE, "reset_brake_pct", "%", 1, KIND_NUMBER)     /* lowest after a reset */     \
+    METRIC(BRAKE_GAP, "brake_gap_m", "m", 2, KIND_NUMBER)           /* when it first brakes */     \
+    METRIC(RELEASE_GAP, "release_gap_m", "m", 2, KIND_NUMBER)       /* when it lets go again */    \
+    METRIC(RELEASE_KMH, "release_kmh", "km/h", 2, KIND_NUMBER)      /* the own speed then */       \
+    METRIC(PARKED, "parked", "", 0, KIND_TEXT)              /* yes: within 0.4 m and 2 degrees */  \
+    METRIC(END_X, "end_x_m", "m", 3, KIND_NUMBER)           /* beside the place, at Y = 0 */       \
+    METRIC(END_TURN, "end_turn_deg", "deg", 2, KIND_NUMBER) /* off the place's direction */        \
+    METRIC(ARRIVES_WITHIN, "arrives_within_s", "s", 3, KIND_NUMBER) /* at Y = 0 */                 \
+    METRIC(BLIND_STEER, "blind_steer_deg", "deg", 2, KIND_NUMBER)   /* change on bad frames */     \
     METRIC(FINAL_STATE, "final_state", "", 0, KIND_TEXT)                                           \
     METRIC(REACHED, "reached", "", 0, KIND_LIST)       /* states that must occur */                \
     METRIC(NEVER, "never", "", 0, KIND_LIST)           /* states that must not */                  \
@@ -55,7 +63,7 @@ struct expectation {
 
 /* What a run came to. */
 struct outcome {
-    double values[METRIC_COUNT]; /* of the numbers and counts */
+    double values[METRIC_COUNT]; /* of the numbers and counts; NAN: not measured in this world */
     double rest_s;               /* when the car last came to rest; INFINITY: it did not */
     char final_state[16];
     char states[EXPECT_VALUE]; /* all that occurred, each followed by a blank */

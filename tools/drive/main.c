@@ -37,7 +37,8 @@ enum option_key {
 };
 
 static const struct argp_option options[] = {
-    {"hex", OPT_HEX, "FILE", 0, "the controller's image, Intel HEX", 1},
+    {"hex", OPT_HEX, "FILE", 0,
+     "the controller's image, Intel HEX (build/BOARD/APP.ihx, with the scenario's app)", 1},
     {"board", OPT_BOARD, "NAME", 0, "the board that it was built for", 1},
     {"scenario", OPT_SCENARIO, "FILE", 0, "what happens on the road, and what must come of it", 1},
     {"set", OPT_SET, "SECTION.KEY=VALUE", 0, "replaces a value of the scenario; may be repeated",
@@ -145,7 +146,7 @@ static error_t take_option(int key, char *text, struct argp_state *state)
 static const struct argp parser = {
     .options = options,
     .parser = take_option,
-    .args_doc = "run --hex=FILE --board=NAME --scenario=FILE\nlist DIR\ncanary",
+    .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\ncanary",
     .doc = "Runs a controller's real image in the simulator s51, in a closed loop with a modelled "
            "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
            "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
@@ -217,7 +218,7 @@ static void add_understood(struct scenario *scenario)
     };
 
     for (size_t k = 0; k < sizeof understood / sizeof understood[0]; k++) {
-        bool stated = false;
+        bool stated = understood[k].metric == METRIC_IMPACT && scenario->world == WORLD_PARK;
 
         for (int i = 0; i < scenario->expect_count; i++)
             stated |= scenario->expect[i].metric == understood[k].metric;
@@ -229,6 +230,7 @@ static void add_understood(struct scenario *scenario)
 static int report(const struct run *run, const struct scenario *scenario,
                   const struct arguments *arguments)
 {
+    const struct world_class *class = world_class((enum world_kind)scenario->world);
     int status = EXIT_FINE;
 
     if (!run->triggered)
@@ -236,7 +238,9 @@ static int report(const struct run *run, const struct scenario *scenario,
                           "no trigger pulse within %d s; does the image fit board %s, and does its "
                           "self-test pass? It said: '%.80s'",
                           RUN_BOOT_S, arguments->board, run->telemetry.log);
-    if (!arguments->brief)
+    if (!arguments->brief && class->tell != NULL && run->outcome.values[METRIC_RESETS] <= 0)
+        class->tell(&run->outcome, scenario);
+    else if (!arguments->brief)
         print_summary(run, scenario);
     for (int i = 0; i < scenario->expect_count; i++)
         if (!judge(&scenario->expect[i], &run->outcome, arguments))
@@ -254,6 +258,7 @@ static int report(const struct run *run, const struct scenario *scenario,
 static int run_and_report(const struct run_setup *setup, struct scenario *scenario,
                           const struct arguments *arguments)
 {
+    const struct world_class *class = world_class((enum world_kind)scenario->world);
     struct trace trace;
     struct live live;
     struct run run;
@@ -261,10 +266,10 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
                                        {&live, NULL, NULL, live_row}};
     int status;
 
-    if (trace_open(&trace, &arguments->paths, &brake_world) != EXIT_FINE)
+    if (trace_open(&trace, &arguments->paths, class) != EXIT_FINE)
         return EXIT_INPUT;
     if (arguments->live)
-        live_begin(&live, scenario, &brake_world, stdout);
+        live_begin(&live, scenario, class, stdout);
     else
         cpu_claim();
     status = run_scenario(&run, setup, observers, arguments->live ? 2 : 1);
@@ -280,16 +285,17 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
     return status;
 }
 
-static int command_run(const struct arguments *arguments)
+static int command_run(struct arguments *arguments)
 {
+    char image[SCENARIO_TEXT + 64];
     struct scenario scenario;
     struct run_setup setup = {.hex = arguments->hex,
                               .scenario = &scenario,
                               .quantum_us = arguments->quantum_us,
                               .step_us = arguments->step_us};
 
-    if (arguments->hex == NULL || arguments->board == NULL || arguments->scenario == NULL) {
-        diag_error(NULL, 0, "run wants --hex, --board and --scenario; see drive --help");
+    if (arguments->board == NULL || arguments->scenario == NULL) {
+        diag_error(NULL, 0, "run wants --board and --scenario; see drive --help");
         return EXIT_USAGE;
     }
     setup.board = board_find(arguments->board);
@@ -300,6 +306,10 @@ static int command_run(const struct arguments *arguments)
     if (scenario_read(&scenario, arguments->scenario, arguments->settings,
                       arguments->setting_count) != EXIT_FINE)
         return EXIT_INPUT;
+    if (arguments->hex == NULL) {
+        snprintf(image, sizeof image, "build/%s/%s.ihx", setup.board->name, scenario.app);
+        setup.hex = arguments->hex = image;
+    }
     add_understood(&scenario);
     setup.guess = arguments->guess && !arguments->live;
     setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;

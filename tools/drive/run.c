@@ -100,9 +100,14 @@ static void take_edges(struct loop *loop)
         const struct s51_edge *edge = &loop->sim.edges[i];
 
         loop->levels[edge->pin] = edge->level;
-        if (!loop->run->triggered && edge->pin == PIN_TRIGGER && edge->level)
+        if (!loop->run->triggered && edge->pin == PIN_TRIGGER && edge->level &&
+            (loop->class->is_warm == NULL || loop->class->is_warm(loop->world)))
             start_world(loop, edge->time_ns);
-        if (loop->run->triggered) {
+        if (!loop->run->triggered) {
+            if (loop->class->is_warm != NULL)
+                loop->class->pin_changed(loop->world, edge->time_ns, (enum board_pin)edge->pin,
+                                         edge->level);
+        } else {
             int64_t t_ns = edge->time_ns - loop->start_ns;
 
             show_inputs(loop, t_ns);
@@ -174,6 +179,24 @@ static void take_inputs(struct loop *loop, int64_t until_ns)
     }
 }
 
+/* The world's own mark, if the present has come to it: the bytes that go out now. */
+static void pass_mark(struct loop *loop)
+{
+    uint8_t bytes[WORLD_BYTES];
+    int64_t mark_ns = loop->class->mark_ns(loop->world);
+
+    if (mark_ns > loop->now_ns)
+        return;
+    if (mark_ns < loop->now_ns - PAST_NS)
+        loop->late = true;
+    loop->class->advance(loop->world, mark_ns);
+    if (loop->class->take_bytes != NULL) {
+        size_t count = loop->class->take_bytes(loop->world, mark_ns, bytes);
+
+        s51_send(&loop->sim, (const char *)bytes, count);
+    }
+}
+
 /* Runs the simulator to T_NS of the scenario. The world is advanced only to the controller's edges
  * and to times that are its own, so that the quantum leaves no trace in its numbers. */
 static enum s51_status run_to(struct loop *loop, int64_t t_ns)
@@ -192,8 +215,7 @@ static enum s51_status run_to(struct loop *loop, int64_t t_ns)
         if (status != S51_RAN)
             return status;
         loop->now_ns = sync_ns - loop->start_ns;
-        if (loop->class->mark_ns(loop->world) <= loop->now_ns)
-            loop->class->advance(loop->world, loop->class->mark_ns(loop->world));
+        pass_mark(loop);
     }
     loop->class->advance(loop->world, t_ns);
     return S51_RAN;
@@ -201,19 +223,21 @@ static enum s51_status run_to(struct loop *loop, int64_t t_ns)
 
 static enum s51_status boot(struct loop *loop)
 {
-    int64_t t_ns = 0;
-
-    while (!loop->run->triggered && t_ns < RUN_BOOT_S * 1000000000LL) {
+    while (!loop->run->triggered && loop->now_ns < RUN_BOOT_S * 1000000000LL) {
+        int64_t next_ns = loop->now_ns + (int64_t)loop->setup->quantum_us * 1000;
         enum s51_status status;
 
-        t_ns += (int64_t)loop->setup->quantum_us * 1000;
-        status = s51_run_to(&loop->sim, t_ns);
+        if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns)
+            next_ns = loop->class->mark_ns(loop->world);
+        status = s51_run_to(&loop->sim, next_ns);
         loop->run->syncs++;
         take_edges(loop);
         if (status != S51_RAN)
             return status;
+        loop->now_ns = loop->sim.sync_ns - loop->start_ns;
+        if (!loop->run->triggered && loop->class->take_bytes != NULL)
+            pass_mark(loop);
     }
-    loop->now_ns = loop->sim.sync_ns - loop->start_ns;
     return S51_RAN;
 }
 
@@ -301,7 +325,7 @@ static int start_simulator(struct loop *loop)
         .drive = board->pins + BOARD_OUTPUTS,
         .drive_count = INPUTS,
         .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS), /* echo low, override not held */
-        .uart_in = loop->setup->scenario->uart.at_s >= 0,
+        .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->class->take_bytes != NULL,
     };
 
     return s51_start(&loop->sim, &setup);
@@ -317,6 +341,9 @@ static int run_once(struct loop *loop, bool *late)
     *late = false;
     telemetry_init(&run->telemetry);
     run->outcome.uart = run->telemetry.log;
+    for (int metric = 0; metric < METRIC_COUNT; metric++)
+        run->outcome.values[metric] = NAN;
+    run->outcome.values[METRIC_RESETS] = 0;
     run->outcome.values[METRIC_RESET_BRAKE] = INFINITY;
     if (start_simulator(loop) != EXIT_FINE)
         return EXIT_USAGE;
@@ -347,7 +374,7 @@ int run_scenario(struct run *run, const struct run_setup *setup,
     do {
         struct loop loop = {.run = run,
                             .setup = setup,
-                            .class = &brake_world,
+                            .class = world_class((enum world_kind)setup->scenario->world),
                             .observers = observers,
                             .observer_count = observer_count,
                             .guess = setup->guess && !late};

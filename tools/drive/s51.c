@@ -205,8 +205,6 @@ static bool write_start_file(const struct s51 *sim, const struct s51_setup *setu
     fputs("file \"image.ihx\"\n", file);
     for (int i = 0; i < probe_count; i++)
         fprintf(file, "expr rom[%u]\n", probes[i]);
-    if (setup->uart_in)
-        fputs("uart0_check_often=1\n", file);
     fputs("var sync\nset hw vcd[0] output \"out\"\n", file);
     for (int i = 0; i < setup->watch_count; i++)
         fprintf(file, "set hw vcd[0] add %s\n", pin_file(setup->watch[i], "port", name));
@@ -530,6 +528,10 @@ enum s51_status s51_run_to(struct s51 *sim, int64_t time_ns)
         next_ns = sim->text_ns;
     sim->sync_level = !sim->sync_level;
     add_text(sim, next_ns, sim->sync_level ? '1' : '0', '~');
+    if (sim->listening && next_ns > sim->listen_until_ns) {
+        add_text(sim, next_ns, '0', '}');
+        sim->listening = false;
+    }
     sim->sync_ns = next_ns;
     sim->marker_seen = false;
     sim->edge_count = 0;
@@ -561,6 +563,12 @@ size_t s51_receive(struct s51 *sim, char *bytes, size_t size)
 
 void s51_send(struct s51 *sim, const char *bytes, size_t size)
 {
+    if (size == 0)
+        return;
+    if (!sim->listening)
+        add_text(sim, s51_grid_ns(sim, sim->sync_ns + 1), '1', '}');
+    sim->listening = true;
+    sim->listen_until_ns = sim->sync_ns + (int64_t)(size + 1) * S51_BYTE_NS;
     while (size > 0) {
         ssize_t put = write(sim->send_fd, bytes, size);
 
@@ -605,8 +613,9 @@ static enum s51_status first_sync(struct s51 *sim, const struct s51_setup *setup
             (size_t)sprintf(sim->text + sim->text_length, "$var wire 1 %c %s $end\n", '!' + i,
                             pin_file(setup->drive[i], "pin", name));
     sim->text_length +=
-        (size_t)sprintf(sim->text + sim->text_length, "$var wire 1 ~ sync $end\n$upscope $end\n"
-                                                      "$enddefinitions $end\n");
+        (size_t)sprintf(sim->text + sim->text_length,
+                        "%s$var wire 1 ~ sync $end\n$upscope $end\n$enddefinitions $end\n",
+                        setup->uart_in ? "$var wire 8 } uart0_check_often $end\n" : "");
     /* s51 takes the first stamp's values while it opens the file, and reports none of them. */
     for (int i = 0; i < setup->drive_count; i++)
         s51_set_pin(sim, 1, i, (setup->levels >> i & 1) != 0);

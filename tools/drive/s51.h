@@ -16,7 +16,11 @@
 
 #define S51_VERSION "0.6.4" /* known to keep time */
 
-enum { S51_MAX_PINS = 12, S51_SILENCE_MS = 500 };
+enum {
+    S51_MAX_PINS = 12,
+    S51_SILENCE_MS = 500,
+    S51_BYTE_NS = 1100000 /* a byte on the serial line, at 9600 Bd, and some more */
+};
 
 struct s51_setup {
     const char *hex;  /* the image */
@@ -27,7 +31,7 @@ struct s51_setup {
     const uint8_t *drive; /* bit addresses of the pins that are driven */
     int drive_count;
     uint32_t levels; /* bit k: level of drive[k] from the start */
-    bool uart_in;    /* s51_send will be used; costs half the speed */
+    bool uart_in;    /* s51_send will be used */
 };
 
 struct s51_edge {
@@ -67,6 +71,8 @@ struct s51 {
     size_t text_length;
     int64_t text_ns; /* time of its last stamp */
     off_t uart_offset;
+    bool listening; /* s51 looks for serial bytes in each cycle */
+    int64_t listen_until_ns;
 };
 
 /* Catches SIGINT, SIGTERM and SIGHUP, so that an interrupted run ends in S51_FAILED and cleans up.
@@ -99,7 +105,9 @@ enum s51_status s51_run_after_reset(struct s51 *sim, int64_t window_ns);
  * present sync time are there. Returns their number. */
 size_t s51_receive(struct s51 *sim, char *bytes, size_t size);
 
-/* Queues serial bytes for the chip; they arrive at line rate from the next s51_run_to on. */
+/* Queues serial bytes for the chip; they arrive at line rate from the next s51_run_to on. s51 looks
+ * for them in each cycle, which costs half its speed, only as long as they take; so bytes must not
+ * be queued while earlier ones are still on their way. */
 void s51_send(struct s51 *sim, const char *bytes, size_t size);
 
 /* Ends s51 and removes what it needed; harmless when it runs no more. */

@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME_SIZE = 48 };
+enum { NAME_SIZE = 48, MIN_RADIUS_M = 31 };
 
-enum value_kind { VALUE_NUMBER, VALUE_CHOICE, VALUE_TEXT, VALUE_PROFILE };
+enum value_kind { VALUE_NUMBER, VALUE_CHOICE, VALUE_TEXT, VALUE_PROFILE, VALUE_APP };
 
 /* One key: where its value goes and what it may be. */
 struct key {
@@ -28,6 +28,7 @@ struct key {
 
 #define AT(member)       offsetof(struct scenario, member)
 #define IN_FAULT(member) offsetof(struct fault, member)
+#define IN_FRAME(member) offsetof(struct frame_fault, member)
 #define FOR(kind)        (1u << FAULT_##kind)
 #define ANY_FAULT        ((1u << FAULT_KINDS) - 1)
 
@@ -37,6 +38,7 @@ static const struct key keys[] = {
      .kind = VALUE_TEXT,
      .offset = AT(title),
      .required = true},
+    {"scenario", "app", VALUE_APP, AT(app), 0, 0, NULL, 0, false},
     {"scenario", "duration_s", VALUE_NUMBER, AT(duration_s), 0.1, 3600, NULL, 0, true},
     {"scenario", "hold_s", VALUE_NUMBER, AT(hold_s), 0, 3600, NULL, 0, false},
     {"scenario", "event_s", VALUE_NUMBER, AT(event_s), 0, 3600, NULL, 0, false},
@@ -51,6 +53,7 @@ static const struct key keys[] = {
     {"ego", "driver_mps2", VALUE_NUMBER, AT(ego.driver_mps2), 0.1, 10, NULL, 0, false},
     {"lead", "gap_m", VALUE_NUMBER, AT(lead.gap_m), 0.01, 1000, NULL, 0, true},
     {"lead", "speed_mps", VALUE_NUMBER, AT(lead.speed_mps), 0, 60, NULL, 0, false},
+    {"lead", "lane", VALUE_NUMBER, AT(lead.lane), -3, 3, NULL, 0, false},
     {"lead", "change_s", VALUE_NUMBER, AT(lead.change_s), 0, 3600, NULL, 0, false},
     {"lead", "change_mps2", VALUE_NUMBER, AT(lead.change_mps2), -20, 20, NULL, 0, false},
     {"lead", "change_to_mps", VALUE_NUMBER, AT(lead.change_to_mps), 0, 60, NULL, 0, false},
@@ -85,12 +88,48 @@ static const struct key keys[] = {
     {"fault", "off_s", VALUE_NUMBER, IN_FAULT(off_s), 0.001, 100, NULL, FOR(INTERMITTENT), true},
     {"override", "from_s", VALUE_NUMBER, AT(override.from_s), 0, 3600, NULL, 0, true},
     {"override", "for_s", VALUE_NUMBER, AT(override.for_s), 0.001, 3600, NULL, 0, true},
+    {"road", "radius_m", VALUE_NUMBER, AT(road.radius_m), -10000, 10000, NULL, 0, true},
+    {"road", "lane_m", VALUE_NUMBER, AT(road.lane_m), 2, 6, NULL, 0, false},
+    {"front", "range_noise_m", VALUE_NUMBER, AT(front.range_noise_m), 0, 10, NULL, 0, false},
+    {"front", "closing_noise_mps", VALUE_NUMBER, AT(front.closing_noise_mps), 0, 5, NULL, 0, false},
+    {"front", "azimuth_noise_deg", VALUE_NUMBER, AT(front.azimuth_noise_deg), 0, 5, NULL, 0, false},
+    {"front", "dropout", VALUE_NUMBER, AT(front.dropout), 0, 1, NULL, 0, false},
+    {"front", "max_m", VALUE_NUMBER, AT(front.max_m), 1, 500, NULL, 0, false},
+    {"front", "beats", VALUE_CHOICE, AT(front.beats), 0, 0, "signed unsigned", 0, false},
+    {"park", "x_m", VALUE_NUMBER, AT(park.x_m), -39, 39, NULL, 0, true},
+    {"park", "y_m", VALUE_NUMBER, AT(park.y_m), 0.1, 39, NULL, 0, true},
+    {"park", "heading_deg", VALUE_NUMBER, AT(park.heading_deg), -360, 360, NULL, 0, true},
+    {"park", "speed_mps", VALUE_NUMBER, AT(park.speed_mps), 0.1, 10, NULL, 0, false},
+    {"park", "length_m", VALUE_NUMBER, AT(park.length_m), 1, 10, NULL, 0, false},
+    {"park", "steer_deg", VALUE_NUMBER, AT(park.steer_deg), 1, 80, NULL, 0, false},
+    {"head", "warm_up", VALUE_NUMBER, AT(head.warm_up), 0, 100, NULL, 0, false},
+    {"head", "delay_ms", VALUE_NUMBER, AT(head.delay_ms), 0.5, 80, NULL, 0, false},
+    {"frame", "kind", VALUE_CHOICE, IN_FRAME(kind), 0, 0,
+     "silence corrupt truncate insert resync repeat range noise", ANY_FAULT, true},
+    {"frame", "from_s", VALUE_NUMBER, IN_FRAME(from_s), 0, 3600, NULL, ANY_FAULT, true},
+    {"frame", "for_s", VALUE_NUMBER, IN_FRAME(for_s), 0.001, 3600, NULL, ANY_FAULT, false},
+    {"frame", "share", VALUE_NUMBER, IN_FRAME(share), 0, 1, NULL, ANY_FAULT, false},
     {"uart", "at_s", VALUE_NUMBER, AT(uart.at_s), 0, 3600, NULL, 0, true},
     {"uart", "send", VALUE_TEXT, AT(uart.send), 0, 0, NULL, 0, true},
 };
 enum { KEY_COUNT = sizeof keys / sizeof keys[0] };
 
-static const char *const fault_sections[SCENARIO_FAULTS] = {"fault", "fault2", "fault3", "fault4"};
+/* Sections that may stand there several times: [fault], [fault2], and so on. */
+static const char *const numbered[] = {"fault", "frame"};
+enum { NUMBERED_COUNT = sizeof numbered / sizeof numbered[0] };
+
+/* Controllers by name, and the sections that each of them has beside [scenario] and [expect];
+ * [ego] and [park] must be there. */
+static const struct {
+    const char *name, *sections;
+} worlds[WORLD_KINDS] = {
+    {"brake", "ego lead sensor fault override uart"},
+    {"radar", "ego lead road front head frame"},
+    {"gap", "ego lead head frame"},
+    {"follow", "ego lead head frame"},
+    {"park", "park head frame"},
+};
+static const char *const needed = "scenario ego park";
 
 struct reader {
     struct scenario *scenario;
@@ -108,7 +147,7 @@ static int complain(struct reader *reader, const char *format, ...)
 
 static int complain(struct reader *reader, const char *format, ...)
 {
-    char what[512];
+    char what[1400];
     va_list arguments;
 
     va_start(arguments, format);
@@ -178,6 +217,27 @@ static int set_profile(struct reader *reader, const char *text)
     return 1;
 }
 
+/* "radar" or "radar_mom": the controller, and possibly which variant of its image. */
+static int set_app(struct reader *reader, const char *name)
+{
+    size_t length = strcspn(name, "_");
+    char known[128] = "";
+
+    for (int world = 0; world < WORLD_KINDS; world++) {
+        if (strlen(worlds[world].name) == length &&
+            strncmp(worlds[world].name, name, length) == 0 &&
+            strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name) &&
+            strlen(name) < NAME_SIZE) {
+            strcpy(reader->scenario->app, name);
+            reader->scenario->world = world;
+            return 1;
+        }
+        snprintf(known + strlen(known), sizeof known - strlen(known), " %s", worlds[world].name);
+    }
+    return complain(reader, "no app '%s'; write one of:%s, or one of them, _ and a variant", name,
+                    known);
+}
+
 static int set_value(struct reader *reader, const struct key *key, char *target, const char *value)
 {
     double number;
@@ -207,6 +267,8 @@ static int set_value(struct reader *reader, const struct key *key, char *target,
         return 1;
     case VALUE_PROFILE:
         return set_profile(reader, value);
+    case VALUE_APP:
+        return set_app(reader, value);
     }
     return 0;
 }
@@ -225,7 +287,7 @@ static int set_expectation(struct reader *reader, const char *name, const char *
 {
     struct scenario *scenario = reader->scenario;
     struct expectation wanted = {.line = reader->line, .op = '='};
-    char bare[NAME_SIZE], known[700];
+    char bare[NAME_SIZE], known[1200];
     size_t length = strlen(name);
     enum expect_kind kind;
 
@@ -257,21 +319,36 @@ static int set_expectation(struct reader *reader, const char *name, const char *
     }
     if (wanted.metric == METRIC_IMPACT && choice_index("none any", value) < 0)
         return complain(reader, "impact = '%s' is unknown; use one of: none any", value);
+    if (wanted.metric == METRIC_PARKED && choice_index("yes no", value) < 0)
+        return complain(reader, "parked = '%s' is unknown; use one of: yes no", value);
     scenario->expect[scenario->expect_count++] = wanted;
     return 1;
 }
 
 /* --- sections and keys -------------------------------------------------------------------- */
 
-/* "fault3" -> 2; any other section -> 0, with its own name left as it is. */
-static int fault_number(const char **section)
+/* "fault3" -> 2, with the name cut to "fault"; any other section -> 0. */
+static int section_number(const char **section)
 {
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
-        if (strcmp(*section, fault_sections[i]) == 0) {
-            *section = "fault";
-            return i;
+    for (int k = 0; k < NUMBERED_COUNT; k++) {
+        size_t length = strlen(numbered[k]);
+        const char *digit = *section + length;
+
+        if (strncmp(*section, numbered[k], length) == 0 && *digit >= '2' &&
+            *digit < '1' + SCENARIO_FAULTS && digit[1] == '\0') {
+            *section = numbered[k];
+            return *digit - '1';
         }
+    }
     return 0;
+}
+
+static bool is_numbered(const char *section)
+{
+    for (int k = 0; k < NUMBERED_COUNT; k++)
+        if (strcmp(section, numbered[k]) == 0)
+            return true;
+    return false;
 }
 
 static bool known_section(const char *section)
@@ -284,12 +361,17 @@ static bool known_section(const char *section)
 
 static void check_section(struct reader *reader, const char *section)
 {
-    fault_number(&section);
-    if (!known_section(section) && strcmp(section, "expect") != 0)
-        complain(reader,
-                 "no section [%s]; the sections are: scenario ego lead sensor fault fault2"
-                 " fault3 fault4 override uart expect",
-                 section);
+    const char *bare = section;
+    char known[256] = "";
+
+    section_number(&bare);
+    if (known_section(bare) || strcmp(section, "expect") == 0)
+        return;
+    for (int i = 0; i < KEY_COUNT; i++)
+        if (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0)
+            snprintf(known + strlen(known), sizeof known - strlen(known), " %s%s", keys[i].section,
+                     is_numbered(keys[i].section) ? " (also with 2, 3 or 4)" : "");
+    complain(reader, "no section [%s]; the sections are:%s expect", section, known);
 }
 
 static int unknown_key(struct reader *reader, const char *section, const char *name)
@@ -319,7 +401,7 @@ static int take_value(void *user, const char *section, const char *name, const c
 
     if (strcmp(section, "expect") == 0)
         return set_expectation(reader, name, value);
-    fault = fault_number(&section);
+    fault = section_number(&section);
     while (i < KEY_COUNT &&
            (strcmp(keys[i].section, section) != 0 || strcmp(keys[i].name, name) != 0))
         i++;
@@ -331,49 +413,88 @@ static int take_value(void *user, const char *section, const char *name, const c
     reader->given[fault][i] = reader->line > 0 ? reader->line : 1;
     if (strcmp(section, "lead") == 0)
         scenario->lead.present = true;
-    target = keys[i].faults != 0 ? (char *)&scenario->faults[fault] : (char *)scenario;
+    target = strcmp(section, "fault") == 0   ? (char *)&scenario->faults[fault]
+             : strcmp(section, "frame") == 0 ? (char *)&scenario->frames[fault]
+                                             : (char *)scenario;
     return set_value(reader, &keys[i], target + keys[i].offset, value);
 }
 
 /* --- what only the whole shows ------------------------------------------------------------- */
 
+/* "fault" and 2 -> "fault3" */
+static const char *section_name(const struct key *key, int number)
+{
+    static char name[NAME_SIZE];
+
+    if (number == 0)
+        return key->section;
+    snprintf(name, sizeof name, "%s%d", key->section, number + 1);
+    return name;
+}
+
+static bool is_used(const struct reader *reader, const char *section, int number)
+{
+    if (choice_index(needed, section) >= 0)
+        return strcmp(section, "scenario") == 0 ||
+               choice_index(worlds[reader->scenario->world].sections, section) >= 0;
+    for (int i = 0; i < KEY_COUNT; i++)
+        if (strcmp(keys[i].section, section) == 0 && reader->given[number][i] != 0)
+            return true;
+    return false;
+}
+
+/* A key that only some kinds of fault have, and not the one of the section. */
+static bool is_foreign(const struct reader *reader, const struct key *key, int number)
+{
+    int kind = reader->scenario->faults[number].kind;
+
+    return strcmp(key->section, "fault") == 0 && strcmp(key->name, "kind") != 0 &&
+           (kind < 0 || (key->faults >> kind & 1) == 0);
+}
+
 static void check_required(struct reader *reader)
 {
-    for (int fault = 0; fault < SCENARIO_FAULTS; fault++)
+    for (int number = 0; number < SCENARIO_FAULTS; number++)
         for (int i = 0; i < KEY_COUNT; i++) {
             const struct key *key = &keys[i];
-            const struct scenario *scenario = reader->scenario;
-            bool section_used =
-                strcmp(key->section, "scenario") == 0 || strcmp(key->section, "ego") == 0;
 
-            if (fault > 0 && key->faults == 0)
-                continue;
-            for (int other = 0; other < KEY_COUNT; other++)
-                if (strcmp(keys[other].section, key->section) == 0 &&
-                    reader->given[fault][other] != 0)
-                    section_used = true;
-            if (key->faults != 0 && strcmp(key->name, "kind") != 0 &&
-                (scenario->faults[fault].kind < 0 ||
-                 (key->faults >> scenario->faults[fault].kind & 1) == 0))
-                section_used = false;
-            if (key->required && section_used && reader->given[fault][i] == 0)
-                complain(reader, "[%s] lacks %s; add it",
-                         key->faults != 0 ? fault_sections[fault] : key->section, key->name);
+            if ((number == 0 || is_numbered(key->section)) && key->required &&
+                is_used(reader, key->section, number) && !is_foreign(reader, key, number) &&
+                reader->given[number][i] == 0)
+                complain(reader, "[%s] lacks %s; add it", section_name(key, number), key->name);
         }
 }
 
 static void check_fault_keys(struct reader *reader)
 {
-    for (int fault = 0; fault < SCENARIO_FAULTS; fault++) {
-        int kind = reader->scenario->faults[fault].kind;
-
-        for (int i = 0; i < KEY_COUNT && kind >= 0; i++)
-            if (keys[i].faults != 0 && reader->given[fault][i] != 0 &&
-                (keys[i].faults >> kind & 1) == 0) {
-                reader->line = reader->given[fault][i];
+    for (int number = 0; number < SCENARIO_FAULTS; number++)
+        for (int i = 0; i < KEY_COUNT; i++)
+            if (reader->given[number][i] != 0 && reader->scenario->faults[number].kind >= 0 &&
+                is_foreign(reader, &keys[i], number)) {
+                reader->line = reader->given[number][i];
                 complain(reader, "a fault of this kind has no %s; take it out", keys[i].name);
             }
-    }
+    reader->line = 0;
+}
+
+/* Sections that belong to another controller; each is named once. */
+static void check_sections(struct reader *reader)
+{
+    const char *sections = worlds[reader->scenario->world].sections;
+    const char *last = "";
+
+    for (int i = 0; i < KEY_COUNT; i++)
+        for (int number = 0; number < SCENARIO_FAULTS; number++) {
+            const char *section = keys[i].section;
+
+            if (reader->given[number][i] == 0 || strcmp(section, "scenario") == 0 ||
+                strcmp(section, last) == 0 || choice_index(sections, section) >= 0)
+                continue;
+            reader->line = reader->given[number][i];
+            complain(reader, "app %s has no [%s]; its sections are: scenario %s expect",
+                     reader->scenario->app, section, sections);
+            last = section;
+        }
     reader->line = 0;
 }
 
@@ -393,11 +514,13 @@ static void check_whole(struct reader *reader)
                   was_given(reader, "lead", "change_to_mps");
 
     reader->line = 0;
+    check_sections(reader);
     check_required(reader);
     check_fault_keys(reader);
     for (int i = 0; i < SCENARIO_FAULTS; i++)
         if (scenario->faults[i].kind == FAULT_GLITCH && scenario->faults[i].dist_m < 0)
-            complain(reader, "[%s] lacks dist_m; add it", fault_sections[i]);
+            complain(reader, "[%s] lacks dist_m; add it",
+                     section_name(&(struct key){.section = "fault"}, i));
     if (changes != 0 && changes != 3)
         complain(reader,
                  "[lead] change_s, change_mps2 and change_to_mps go together; give all three");
@@ -405,6 +528,9 @@ static void check_whole(struct reader *reader)
         complain(reader, "[lead] has a profile and other speeds; keep one of the two");
     if (lead->appears_s >= 0 && lead->leaves_s >= 0 && lead->leaves_s <= lead->appears_s)
         complain(reader, "[lead] leaves_s comes before appears_s; exchange them");
+    if (fabs(scenario->road.radius_m) > 0 && fabs(scenario->road.radius_m) < MIN_RADIUS_M)
+        complain(reader, "[road] radius_m is below %d m, for which no frame has a curvature",
+                 MIN_RADIUS_M);
     if (scenario->sensor.min_m >= scenario->sensor.max_m)
         complain(reader, "[sensor] min_m is not below max_m");
     if (scenario->expect_count == 0)
@@ -454,12 +580,20 @@ static void set_defaults(struct scenario *scenario, const char *file)
     scenario->lead.change_s = SCENARIO_UNSET;
     scenario->sensor = (struct sensor){
         .temp_c = 20, .min_m = 0.02, .max_m = 5, .delay_us = 450, .no_echo_us = 38000};
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
+    scenario->road.lane_m = 3.75;
+    scenario->front.max_m = 300;
+    scenario->park = (struct parking){.speed_mps = 5, .length_m = 4, .steer_deg = 45};
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
         scenario->faults[i] = (struct fault){.kind = -1,
                                              .for_s = SCENARIO_UNSET,
                                              .dist_m = SCENARIO_UNSET,
                                              .scale = 1,
                                              .readings = 1};
+        scenario->frames[i] = (struct frame_fault){.kind = -1, .for_s = SCENARIO_UNSET, .share = 1};
+    }
+    strcpy(scenario->app, "brake");
+    scenario->head.warm_up = 5;
+    scenario->head.delay_ms = 2;
     scenario->override.from_s = SCENARIO_UNSET;
     scenario->uart.at_s = SCENARIO_UNSET;
 }

@@ -9,6 +9,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* What the controller is for; each has a world of its own. */
+enum world_kind { WORLD_BRAKE, WORLD_RADAR, WORLD_GAP, WORLD_FOLLOW, WORLD_PARK, WORLD_KINDS };
+
 enum { SCENARIO_FAULTS = 4, SCENARIO_POINTS = 32, SCENARIO_TEXT = 128 };
 
 /* A value that the file left out. */
@@ -33,8 +36,9 @@ struct point {
 
 struct lead {
     bool present;
-    double gap_m;                                /* at t = 0, or when it appears */
-    double speed_mps;                            /* at t = 0 */
+    double gap_m;     /* at t = 0, or when it appears */
+    double speed_mps; /* at t = 0 */
+    double lane;      /* 0: the ego's; 1: the next one to the left; -1: to the right */
     double change_s, change_mps2, change_to_mps; /* one change of speed */
     struct point profile[SCENARIO_POINTS]; /* or its speed over time, straight lines between */
     int points;
@@ -50,6 +54,34 @@ struct sensor {
     double delay_us;   /* trigger's end to echo's rise */
     double no_echo_us; /* length of the pulse that says: no target */
     int no_target;     /* enum no_target */
+};
+
+/* The road as a radar sees it. */
+struct road {
+    double radius_m; /* of the ego lane's centre, positive in a bend to the left; 0: straight */
+    double lane_m;   /* width of a lane */
+};
+
+/* The radar's front end. */
+struct front {
+    double range_noise_m, closing_noise_mps, azimuth_noise_deg; /* standard deviations */
+    double dropout; /* probability that a target is not seen */
+    double max_m;   /* range */
+    int beats;      /* enum beats */
+};
+
+enum beats {
+    BEATS_SIGNED,  /* with I and Q: a beat may be negative */
+    BEATS_UNSIGNED /* a mixer alone shows its size */
+};
+
+/* A car that parks backwards: the rear axle's midpoint, the axis against +x, the place at the
+ * origin along +y. */
+struct parking {
+    double x_m, y_m, heading_deg;
+    double speed_mps; /* backwards */
+    double length_m;  /* from axle to axle */
+    double steer_deg; /* for a pulse of 2 ms */
 };
 
 enum no_target {
@@ -78,9 +110,29 @@ struct fault {
     int line; /* 0: low, 1: high */
 };
 
+/* What may be wrong with the frames of a sensor head. */
+enum frame_fault_kind {
+    FRAME_SILENCE,  /* no answer */
+    FRAME_CORRUPT,  /* one to three bits are wrong */
+    FRAME_TRUNCATE, /* the end is missing */
+    FRAME_INSERT,   /* a byte too much */
+    FRAME_RESYNC,   /* the beginning is missing */
+    FRAME_REPEAT,   /* the last good frame again */
+    FRAME_RANGE,    /* a value that cannot be, with a right check sum */
+    FRAME_NOISE,    /* as many bytes, each of them random */
+};
+
+struct frame_fault {
+    int kind;             /* enum frame_fault_kind, or -1: no fault */
+    double from_s, for_s; /* unset for_s: to the end */
+    double share;         /* of the frames, at random */
+};
+
 struct scenario {
     char file[256];
     char title[SCENARIO_TEXT];
+    char app[SCENARIO_TEXT]; /* the image's name: a controller's, or that and _ and a variant */
+    int world;               /* enum world_kind */
     double duration_s;
     double hold_s;  /* ends once both cars have stood that long; unset: runs to its end */
     double event_s; /* ..._within_s counts from here */
@@ -88,7 +140,15 @@ struct scenario {
     struct ego ego;
     struct lead lead;
     struct sensor sensor;
+    struct road road;
+    struct front front;
+    struct parking park;
     struct fault faults[SCENARIO_FAULTS];
+    struct {
+        double warm_up;  /* frames answered before t = 0, so that the link is up by then */
+        double delay_ms; /* from a trigger to the answer */
+    } head;
+    struct frame_fault frames[SCENARIO_FAULTS];
     struct {
         double from_s, for_s; /* the driver holds the override; unset: never */
     } override;

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns that come from the controller's telemetry, after the world's own. */
-static const char *const reported[] = {"state", "fault", "dist_mm", "closing_mmps"};
+/* Columns that come from every controller's telemetry; a world's own ones follow. */
+static const char *const reported[] = {"state", "fault"};
 enum { REPORTED = sizeof reported / sizeof reported[0] };
 
 static double seconds(int64_t t_ns)
@@ -24,6 +24,8 @@ static void csv_begin(const struct trace *trace)
         fprintf(trace->csv.stream, ",%s", trace->class->columns[i].name);
     for (int i = 0; i < REPORTED; i++)
         fprintf(trace->csv.stream, ",%s", reported[i]);
+    for (int i = 0; i < trace->class->reported_count; i++)
+        fprintf(trace->csv.stream, ",%s", trace->class->reported[i]);
     fputc('\n', trace->csv.stream);
 }
 
@@ -38,6 +40,8 @@ static void csv_row(const struct trace *trace, int64_t t_ns, const double *value
     }
     for (int i = 0; i < REPORTED; i++)
         fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, reported[i]));
+    for (int i = 0; i < trace->class->reported_count; i++)
+        fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, trace->class->reported[i]));
     fputc('\n', trace->csv.stream);
 }
 

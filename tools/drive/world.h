@@ -1,6 +1,7 @@
 /* The seam between the lockstep loop and what is around one kind of controller: its sensor, its
  * plant, what is measured. run.c knows only this; brake_world.c is the brake's. Times are
- * nanoseconds of the scenario, 0 at the controller's first trigger. */
+ * nanoseconds of the scenario, 0 at the controller's first trigger, or at the one that is_warm
+ * picks; before start, nanoseconds since reset. */
 #ifndef FUZZY51_WORLD_H
 #define FUZZY51_WORLD_H
 
@@ -11,7 +12,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { WORLD_COLUMNS = 12, WORLD_STEP_NS = 1000000, WORLD_ROW_NS = 10000000 };
+enum { WORLD_COLUMNS = 12, WORLD_STEP_NS = 1000000, WORLD_ROW_NS = 10000000, WORLD_BYTES = 64 };
 
 struct world;
 
@@ -24,15 +25,21 @@ struct world_column {
 struct world_class {
     const struct world_column *columns;
     int column_count;
+    const char *const *reported; /* columns of the telemetry that the trace repeats */
+    int reported_count;
 
     /* Makes the world of SCENARIO, standing still until start. */
     struct world *(*create)(const struct scenario *scenario, uint64_t seed, int64_t step_ns);
     void (*destroy)(struct world *world);
 
+    /* Whether the trigger that comes now is the scenario's first; NULL: the very first is. */
+    bool (*is_warm)(const struct world *world);
+
     /* t = 0, with the output pins at LEVELS. */
     void (*start)(struct world *world, const bool levels[BOARD_OUTPUTS]);
 
-    /* An output pin goes to LEVEL. Times never go back. */
+    /* An output pin goes to LEVEL. Times never go back. Comes before start, too, where is_warm is
+     * given. */
     void (*pin_changed)(struct world *world, int64_t t_ns, enum board_pin pin, bool level);
 
     /* The world runs until T_NS. */
@@ -53,6 +60,10 @@ struct world_class {
      * advances to exactly there. */
     int64_t (*mark_ns)(const struct world *world);
 
+    /* Takes the bytes that go out on the serial line at T_NS, a time of mark_ns; returns their
+     * number. NULL: this world sends none. */
+    size_t (*take_bytes)(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES]);
+
     /* The controller has reported STATE ("CONTROL", ...) in a line that began at T_NS. */
     void (*state_reported)(struct world *world, int64_t t_ns, const char *state);
 
@@ -62,10 +73,16 @@ struct world_class {
     /* The columns' values at the present time; NAN: none. */
     void (*values)(const struct world *world, double values[WORLD_COLUMNS]);
 
+    /* Prints the outcome in a sentence or two; NULL: as for a car behind another one. */
+    void (*tell)(const struct outcome *outcome, const struct scenario *scenario);
+
     /* What has been measured until T_NS, the scenario's end. */
     void (*measure)(const struct world *world, int64_t t_ns, struct outcome *outcome);
 };
 
-extern const struct world_class brake_world;
+extern const struct world_class brake_world, radar_world, park_world;
+
+/* The world that a scenario's app belongs to. */
+const struct world_class *world_class(enum world_kind kind);
 
 #endif

@@ -1,0 +1,219 @@
+#include "head.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { GROUP = 7, PULSE_NS = 10000 };
+
+/* --- good frames -------------------------------------------------------------------------- */
+
+void head_put_16(uint8_t *at, long value)
+{
+    at[0] = (uint8_t)((unsigned long)value >> 8);
+    at[1] = (uint8_t)value;
+}
+
+void head_put_24(uint8_t *at, long value)
+{
+    at[0] = (uint8_t)((unsigned long)value >> 16);
+    head_put_16(at + 1, value);
+}
+
+/* CRC-16/CCITT-FALSE, bit by bit. */
+static unsigned crc16(unsigned crc, uint8_t byte)
+{
+    for (int bit = 7; bit >= 0; bit--) {
+        unsigned carry = (crc >> 15 ^ (unsigned)byte >> bit) & 1;
+
+        crc = (crc << 1 & 0xFFFF) ^ (carry ? 0x1021u : 0);
+    }
+    return crc;
+}
+
+size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes,
+                   uint8_t line[HEAD_LINE_MAX])
+{
+    uint8_t body[HEAD_PAYLOAD_MAX + 2];
+    uint8_t start = (uint8_t)(0x80 | kind << 4 | count);
+    unsigned crc = crc16(0xFFFF, start);
+    size_t size = 0;
+
+    memcpy(body, payload, (size_t)payload_bytes);
+    for (int i = 0; i < payload_bytes; i++)
+        crc = crc16(crc, payload[i]);
+    head_put_16(body + payload_bytes, (long)crc);
+
+    line[size++] = start;
+    for (int group = 0; group < payload_bytes + 2; group += GROUP) {
+        size_t top_bits = size++;
+
+        line[top_bits] = 0;
+        for (int i = 0; i < GROUP && group + i < payload_bytes + 2; i++) {
+            line[top_bits] = (uint8_t)(line[top_bits] | body[group + i] >> 7 << i);
+            line[size++] = body[group + i] & 0x7F;
+        }
+    }
+    return size;
+}
+
+/* --- bad frames --------------------------------------------------------------------------- */
+
+/* The fault that this answer suffers, or NULL. */
+static const struct frame_fault *fault_now(struct head *head, int64_t t_ns)
+{
+    double t_s = (double)t_ns * 1e-9;
+
+    if (head->warm_left > 0)
+        return NULL;
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+        const struct frame_fault *fault = &head->faults[i];
+
+        if (fault->kind >= 0 && t_s >= fault->from_s &&
+            (fault->for_s < 0 || t_s < fault->from_s + fault->for_s) &&
+            random_uniform(&head->random) < fault->share)
+            return fault;
+    }
+    return NULL;
+}
+
+static size_t pick(struct head *head, size_t count)
+{
+    return (size_t)(random_uniform(&head->random) * (double)count);
+}
+
+static uint8_t any_byte(struct head *head)
+{
+    return (uint8_t)pick(head, 256);
+}
+
+static size_t insert(uint8_t *line, size_t size, size_t at, uint8_t byte)
+{
+    memmove(line + at + 1, line + at, size - at);
+    line[at] = byte;
+    return size + 1;
+}
+
+/* One to three different bits turn over. */
+static void corrupt(struct head *head, uint8_t *line, size_t size)
+{
+    uint8_t good[HEAD_LINE_MAX];
+
+    memcpy(good, line, size);
+    do
+        for (size_t flips = 1 + pick(head, 3); flips > 0; flips--)
+            line[pick(head, size)] ^= (uint8_t)(1u << pick(head, 8));
+    while (memcmp(good, line, size) == 0);
+}
+
+/* Spoils the good frame of SIZE bytes in LINE. Returns how many bytes are to be sent. */
+static size_t spoil(struct head *head, enum frame_fault_kind kind, uint8_t *line, size_t size)
+{
+    uint8_t payload[HEAD_PAYLOAD_MAX];
+    uint8_t byte;
+    size_t from;
+
+    switch (kind) {
+    case FRAME_CORRUPT:
+        corrupt(head, line, size);
+        return size;
+    case FRAME_TRUNCATE:
+        return pick(head, size);
+    case FRAME_INSERT:
+        do
+            byte = any_byte(head);
+        while (byte == line[0]); /* that would begin the whole frame anew */
+        return insert(line, size, 1 + pick(head, size - 1), byte);
+    case FRAME_RESYNC: /* the line is heard from the middle of the frame on */
+        from = 1 + pick(head, size - 1);
+        memmove(line, line + from, size - from);
+        return size - from;
+    case FRAME_REPEAT:
+        memcpy(line, head->last, head->last_size);
+        return head->last_size;
+    case FRAME_RANGE:
+        memcpy(payload, head->payload, sizeof payload);
+        head->spoil(&head->random, payload);
+        return head_encode(head->kind, head->count, payload, head->payload_bytes, line);
+    case FRAME_NOISE:
+        for (size_t i = 0; i < size; i++)
+            line[i] = any_byte(head);
+        return size;
+    default: /* FRAME_SILENCE */
+        return 0;
+    }
+}
+
+/* --- outside ------------------------------------------------------------------------------ */
+
+void head_init(struct head *head, const struct scenario *scenario, uint64_t seed, int kind,
+               int payload_bytes, head_spoil_fn *spoil_payload)
+{
+    memset(head, 0, sizeof *head);
+    head->kind = kind;
+    head->payload_bytes = payload_bytes;
+    head->delay_ns = (int64_t)llround(scenario->head.delay_ms * 1e6);
+    head->warm_left = (int)scenario->head.warm_up;
+    memcpy(head->faults, scenario->frames, sizeof head->faults);
+    random_seed(&head->random, seed ^ 0x46524D45u);
+    head->spoil = spoil_payload;
+    head->due_ns = head->bad_ns = head->rise_ns = INT64_MAX;
+}
+
+bool head_is_warm(const struct head *head)
+{
+    return head->warm_left == 0;
+}
+
+void head_start(struct head *head)
+{
+    head->due_ns = head->bad_ns = head->rise_ns = INT64_MAX;
+}
+
+bool head_trigger(struct head *head, int64_t t_ns, bool level)
+{
+    bool is_pulse = !level && head->rise_ns != INT64_MAX && t_ns - head->rise_ns >= PULSE_NS;
+
+    head->rise_ns = level ? t_ns : INT64_MAX;
+    return is_pulse && head->due_ns == INT64_MAX;
+}
+
+void head_measured(struct head *head, int64_t t_ns, const uint8_t *payload)
+{
+    memcpy(head->payload, payload, (size_t)head->payload_bytes);
+    head->due_ns = t_ns + head->delay_ns;
+}
+
+int64_t head_due_ns(const struct head *head)
+{
+    return head->due_ns;
+}
+
+size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
+{
+    const struct frame_fault *fault;
+    size_t size;
+
+    if (t_ns < head->due_ns)
+        return 0;
+    size = head_encode(head->kind, head->count, head->payload, head->payload_bytes, line);
+    fault = fault_now(head, head->due_ns);
+    if (fault == NULL) {
+        memcpy(head->last, line, size);
+        head->last_size = size;
+        head->bad_ns = INT64_MAX;
+    } else {
+        size = spoil(head, (enum frame_fault_kind)fault->kind, line, size);
+        if (head->bad_ns == INT64_MAX)
+            head->bad_ns = head->due_ns;
+    }
+    head->count = (head->count + 1) % 16;
+    if (head->warm_left > 0)
+        head->warm_left--;
+    head->due_ns = INT64_MAX;
+    return size;
+}
+
+int64_t head_blind_ns(const struct head *head)
+{
+    return head->bad_ns == INT64_MAX ? INT64_MAX : head->bad_ns + HEAD_GRACE_NS;
+}

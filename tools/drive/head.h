@@ -1,0 +1,74 @@
+/* A sensor head on the controller's serial line: each trigger is answered by one frame, laid out as
+ * firmware/core/frame.h says, and what may be wrong with it. The bytes are made here a second time,
+ * so that a misunderstanding of the layout shows. */
+#ifndef FUZZY51_HEAD_H
+#define FUZZY51_HEAD_H
+
+#include "random.h"
+#include "scenario.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    HEAD_PAYLOAD_MAX = 14,
+    HEAD_LINE_MAX = 48,
+    HEAD_GRACE_NS = 25000000 /* from a frame's first byte to its effect at a pin, at most */
+};
+
+/* Makes one value of the payload impossible, whichever RANDOM picks. */
+typedef void head_spoil_fn(struct random *random, uint8_t *payload);
+
+struct head {
+    int kind; /* of frame.h */
+    int payload_bytes;
+    int64_t delay_ns; /* from the trigger's end to the first byte */
+    struct frame_fault faults[SCENARIO_FAULTS];
+    struct random random;
+    head_spoil_fn *spoil;
+    int64_t rise_ns; /* of the trigger; INT64_MAX: it has not risen yet */
+    int warm_left;   /* frames still to be answered before the world starts */
+    int count;       /* of the next frame */
+    int64_t due_ns;  /* the answer's first byte; INT64_MAX: none is due */
+    uint8_t payload[HEAD_PAYLOAD_MAX];
+    uint8_t last[HEAD_LINE_MAX]; /* the frame before, for a head that repeats itself */
+    size_t last_size;
+    int64_t bad_ns; /* the first of the bad answers in a row; INT64_MAX: the last one was good */
+};
+
+void head_init(struct head *head, const struct scenario *scenario, uint64_t seed, int kind,
+               int payload_bytes, head_spoil_fn *spoil);
+
+/* Whether the next trigger is to be the world's first: the link is up. */
+bool head_is_warm(const struct head *head);
+
+/* The world starts: from here on times count from 0 anew. */
+void head_start(struct head *head);
+
+/* The trigger pin goes to LEVEL at T_NS. Returns true when that ends a pulse that the head hears:
+ * one of 10 us or more, while no answer is due. Then call head_measured. */
+bool head_trigger(struct head *head, int64_t t_ns, bool level);
+
+/* What the head has measured at the trigger that ended at T_NS. */
+void head_measured(struct head *head, int64_t t_ns, const uint8_t *payload);
+
+/* When the answer's first byte is due; INT64_MAX: none is. */
+int64_t head_due_ns(const struct head *head);
+
+/* The answer that is due at T_NS: puts its bytes into LINE and returns their number, 0 for none. */
+size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX]);
+
+/* From when on the controller can only know what it has known before: nothing but bad frames comes,
+ * and the last good one has had its time to take effect. INT64_MAX: the last frame was good. */
+int64_t head_blind_ns(const struct head *head);
+
+/* The bytes of one good frame: COUNT of them to LINE. */
+size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes,
+                   uint8_t line[HEAD_LINE_MAX]);
+
+/* Big-endian values into a payload. */
+void head_put_16(uint8_t *at, long value);
+void head_put_24(uint8_t *at, long value);
+
+#endif

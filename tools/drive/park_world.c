@@ -1,0 +1,285 @@
+/* The parking controller's world: a car that drives backwards while the stop line lets it, steered
+ * by a servo, and a head that tells where it stands. */
+#include "world.h"
+
+#include "head.h"
+#include "pace.h"
+#include "servo.h"
+#include "truck.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The frames of firmware/core/frame.h and park.h. */
+enum { KIND = 4, PAYLOAD_BYTES = 6 };
+static const double unit_per_m = 512, turn = 65536;
+
+static const double servo_mid_us = 1500, servo_span_us = 500;
+static const double degree = M_PI / 180;
+static const double dwell_s = 0.3; /* what is shown of the car in its place */
+
+struct world {
+    struct truck truck;
+    struct head head;
+    struct pace pace;
+    struct servo servo;
+    bool levels[BOARD_OUTPUTS];
+    bool started, arrived;
+    int64_t now_ns, step_ns;
+    double event_s, full_steer_rad;
+    double steer_rad, seen_rad; /* now; while frames were good */
+    double arrived_s, end_x_m, end_turn_rad, stood_s, first_fault_s;
+    double blind_steer_rad, stop_toggles;
+};
+
+static const struct world_column columns[] = {
+    {"x_m", 4},  {"y_m", 4},  {"heading_deg", 3}, {"steer_deg", 3},
+    {"stop", 0}, {"lamp", 0}, {"buzzer", 0},
+};
+static const char *const reported[] = {"dist_mm", "weight", "servo_us"};
+
+static double now_s(const struct world *world)
+{
+    return (double)world->now_ns * 1e-9;
+}
+
+/* --- the car ------------------------------------------------------------------------------ */
+
+static void drive(struct world *world, double dt_s)
+{
+    double used_s = truck_drive(&world->truck, world->steer_rad, dt_s);
+
+    if (world->truck.y_m > 0)
+        return;
+    world->arrived = true;
+    world->arrived_s = now_s(world) + used_s;
+    world->end_x_m = world->truck.x_m;
+    world->end_turn_rad = truck_turn_rad(&world->truck);
+}
+
+static void advance(struct world *world, int64_t t_ns)
+{
+    while (world->started && world->now_ns < t_ns) {
+        int64_t next_ns = (world->now_ns / world->step_ns + 1) * world->step_ns;
+        bool stands = world->levels[PIN_STOP] || world->arrived;
+
+        if (next_ns > t_ns)
+            next_ns = t_ns;
+        if (stands && now_s(world) >= world->event_s && isinf(world->stood_s))
+            world->stood_s = now_s(world);
+        if (!stands)
+            drive(world, (double)(next_ns - world->now_ns) * 1e-9);
+        world->now_ns = next_ns;
+    }
+}
+
+static void steer(struct world *world)
+{
+    double part = (world->servo.pulse_us - servo_mid_us) / servo_span_us;
+
+    world->steer_rad = fmin(fmax(part, -1), 1) * world->full_steer_rad;
+    if (!world->started || world->now_ns < head_blind_ns(&world->head))
+        world->seen_rad = world->steer_rad;
+    world->blind_steer_rad = fmax(world->blind_steer_rad, fabs(world->steer_rad - world->seen_rad));
+}
+
+/* --- frames ------------------------------------------------------------------------------- */
+
+/* A value of the frame's sixteen bits, at an end when it would not fit. */
+static long fit(double value)
+{
+    return lround(fmin(fmax(value, -32768), 32767));
+}
+
+static void measure_place(const struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
+{
+    head_put_16(payload, fit(world->truck.x_m * unit_per_m));
+    head_put_16(payload + 2, fit(world->truck.y_m * unit_per_m));
+    head_put_16(payload + 4, lround(world->truck.heading_rad / (2 * M_PI) * turn));
+}
+
+static void spoil(struct random *random, uint8_t *payload)
+{
+    static const struct {
+        int at;
+        long value;
+    } impossible[] = {{0, 20481}, {0, -20481}, {2, 20481}, {2, -513}, {2, -32768}};
+    size_t pick = (size_t)(random_uniform(random) * 5);
+
+    head_put_16(payload + impossible[pick].at, impossible[pick].value);
+}
+
+/* --- pins --------------------------------------------------------------------------------- */
+
+static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
+{
+    uint8_t payload[HEAD_PAYLOAD_MAX];
+
+    advance(world, t_ns);
+    world->levels[pin] = level;
+    switch (pin) {
+    case PIN_SERVO:
+        if (servo_edge(&world->servo, t_ns, level))
+            steer(world);
+        break;
+    case PIN_STOP:
+        world->stop_toggles += world->started;
+        break;
+    case PIN_TRIGGER:
+        if (!head_trigger(&world->head, t_ns, level))
+            break;
+        pace_note(&world->pace, t_ns);
+        measure_place(world, payload);
+        head_measured(&world->head, t_ns, payload);
+        break;
+    default:
+        break;
+    }
+}
+
+static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
+                       bool *level)
+{
+    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
+    return false;
+}
+
+static int64_t horizon_ns(const struct world *world, int64_t t_ns)
+{
+    return t_ns + world->head.delay_ns;
+}
+
+static int64_t guess_ns(const struct world *world, int64_t t_ns)
+{
+    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
+}
+
+static int64_t mark_ns(const struct world *world)
+{
+    return head_due_ns(&world->head);
+}
+
+static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
+{
+    return head_take(&world->head, t_ns, bytes);
+}
+
+/* --- life and outcome --------------------------------------------------------------------- */
+
+static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
+{
+    struct world *world = calloc(1, sizeof *world);
+
+    if (world == NULL)
+        abort();
+    world->truck = (struct truck){.x_m = scenario->park.x_m,
+                                  .y_m = scenario->park.y_m,
+                                  .heading_rad = scenario->park.heading_deg * degree,
+                                  .speed_mps = scenario->park.speed_mps,
+                                  .length_m = scenario->park.length_m};
+    world->full_steer_rad = scenario->park.steer_deg * degree;
+    world->event_s = scenario->event_s;
+    world->step_ns = step_ns;
+    world->arrived_s = world->stood_s = world->first_fault_s = INFINITY;
+    world->end_x_m = world->end_turn_rad = INFINITY;
+    memset(world->levels, true, sizeof world->levels);
+    servo_init(&world->servo, true);
+    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    return world;
+}
+
+static void destroy(struct world *world)
+{
+    free(world);
+}
+
+static bool is_warm(const struct world *world)
+{
+    return head_is_warm(&world->head);
+}
+
+static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
+{
+    memcpy(world->levels, levels, sizeof world->levels);
+    world->pace = (struct pace){0};
+    world->started = true;
+    head_start(&world->head);
+}
+
+static void state_reported(struct world *world, int64_t t_ns, const char *state)
+{
+    double t_s = (double)t_ns * 1e-9;
+
+    if (strcmp(state, "FAULT") == 0 && t_s >= world->event_s)
+        world->first_fault_s = fmin(world->first_fault_s, t_s);
+}
+
+static bool is_over(const struct world *world)
+{
+    return world->arrived && world->levels[PIN_STOP] && now_s(world) > world->arrived_s + dwell_s;
+}
+
+static void values(const struct world *world, double row[WORLD_COLUMNS])
+{
+    row[0] = world->truck.x_m;
+    row[1] = world->truck.y_m;
+    row[2] = remainder(world->truck.heading_rad, 2 * M_PI) / degree;
+    row[3] = world->steer_rad / degree;
+    row[4] = world->levels[PIN_STOP];
+    row[5] = !world->levels[PIN_LAMP];
+    row[6] = !world->levels[PIN_BUZZER];
+}
+
+static void tell(const struct outcome *outcome, const struct scenario *scenario)
+{
+    const double *value = outcome->values;
+
+    printf("%s: ", scenario->title);
+    if (isinf(value[METRIC_ARRIVES_WITHIN]))
+        printf("never came to Y = 0\n");
+    else
+        printf("%s, %.3f m beside the place and turned by %.2f degrees, after %.2f s\n",
+               value[METRIC_PARKED] > 0 ? "parked" : "not parked, the start is in the dead zone",
+               value[METRIC_END_X], value[METRIC_END_TURN],
+               value[METRIC_ARRIVES_WITHIN] + scenario->event_s);
+}
+
+static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
+{
+    double *value = outcome->values;
+
+    (void)t_ns;
+    value[METRIC_PARKED] = world->arrived && truck_is_parked(&world->truck);
+    value[METRIC_END_X] = world->end_x_m;
+    value[METRIC_END_TURN] = world->end_turn_rad / degree;
+    value[METRIC_ARRIVES_WITHIN] = world->arrived_s - world->event_s;
+    value[METRIC_STOP_WITHIN] = world->stood_s - world->event_s;
+    value[METRIC_STOP_TOGGLES] = world->stop_toggles;
+    value[METRIC_FAULT_WITHIN] = world->first_fault_s - world->event_s;
+    value[METRIC_BLIND_STEER] = world->blind_steer_rad / degree;
+}
+
+const struct world_class park_world = {
+    .columns = columns,
+    .column_count = sizeof columns / sizeof columns[0],
+    .reported = reported,
+    .reported_count = sizeof reported / sizeof reported[0],
+    .create = create,
+    .destroy = destroy,
+    .is_warm = is_warm,
+    .start = start,
+    .pin_changed = pin_changed,
+    .advance = advance,
+    .next_input = next_input,
+    .horizon_ns = horizon_ns,
+    .guess_ns = guess_ns,
+    .mark_ns = mark_ns,
+    .take_bytes = take_bytes,
+    .state_reported = state_reported,
+    .is_over = is_over,
+    .values = values,
+    .tell = tell,
+    .measure = measure,
+};

@@ -1,0 +1,299 @@
+/* The radar controller's world: two cars on a road that may bend, a radar front end that answers
+ * each trigger with a frame, a brake that follows the PWM, a throttle that can be cut. */
+#include "world.h"
+
+#include "head.h"
+#include "pace.h"
+#include "rig.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The frames of firmware/core/frame.h and radar.h. */
+enum { KIND = 1, PAYLOAD_BYTES = 13, FLAG_TARGET = 1, FLAG_SIGNED = 2 };
+
+/* The front end: carrier, sweep from peak to peak, duration of a triangle. */
+static const double light_mps = 299792458, carrier_hz = 77e9, sweep_hz = 150e6, triangle_s = 2e-3;
+
+static const double turn = 65536; /* the unit of angles in frames */
+static const double degree = M_PI / 180;
+
+struct sight {
+    bool target;
+    double range_m, closing_mps, azimuth_rad; /* azimuth: positive to the left */
+};
+
+struct world {
+    struct rig rig;
+    struct head head;
+    struct pace pace;
+    struct road road;
+    struct front front;
+    struct random random;
+    struct sight seen; /* at the last trigger */
+};
+
+static const struct world_column columns[] = {
+    RIG_COLUMN_NAMES, {"range_m", 3}, {"closing_mps", 3}, {"azimuth_deg", 3}, {"cut", 0}};
+static const char *const reported[] = {"range_cm", "closing_dkmh", "safe_cm", "level"};
+
+/* --- what the front end sees -------------------------------------------------------------- */
+
+/* The lead stands GAP further along the lanes, LANE_M to the side of the ego's lane centre. In a
+ * bend to the right the picture is that of the bend to the left, mirrored. */
+static struct sight look(const struct world *world)
+{
+    const struct car *car = &world->rig.car;
+    double gap = car_gap_m(car), lead_mps = car_lead_mps(car);
+    double radius = fabs(world->road.radius_m), side = world->road.radius_m < 0 ? -1 : 1;
+    bool is_straight = radius <= 0;
+    double aside_m = side * car->lead.lane * world->road.lane_m;
+    double bend = is_straight ? 0 : gap / radius;
+    double x = is_straight ? gap : (radius - aside_m) * sin(bend);
+    double y = is_straight ? aside_m : radius - (radius - aside_m) * cos(bend);
+    struct sight sight = {.range_m = hypot(x, y)};
+
+    if (!(sight.range_m <= world->front.max_m) || x <= 0)
+        return sight;
+    sight.target = true;
+    sight.azimuth_rad = side * atan2(y, x);
+    sight.closing_mps =
+        ((car->v_mps - lead_mps * cos(bend)) * x - lead_mps * sin(bend) * y) / sight.range_m;
+    return sight;
+}
+
+static void add_noise(struct world *world, struct sight *sight)
+{
+    const struct front *front = &world->front;
+
+    sight->range_m += front->range_noise_m * random_normal(&world->random);
+    sight->closing_mps += front->closing_noise_mps * random_normal(&world->random);
+    sight->azimuth_rad += front->azimuth_noise_deg * degree * random_normal(&world->random);
+    if (random_uniform(&world->random) < front->dropout)
+        sight->target = false;
+    if (sight->range_m < 0)
+        sight->range_m = 0;
+}
+
+static void measure_beats(const struct world *world, const struct sight *sight, uint8_t *payload)
+{
+    double range_hz = 4 * sweep_hz * sight->range_m / (light_mps * triangle_s);
+    double speed_hz = 2 * carrier_hz * sight->closing_mps / light_mps;
+    double up_hz = range_hz - speed_hz, down_hz = range_hz + speed_hz;
+
+    if (world->front.beats == BEATS_UNSIGNED) {
+        up_hz = fabs(up_hz);
+        down_hz = fabs(down_hz);
+    }
+    head_put_24(payload, lround(up_hz));
+    head_put_24(payload + 3, lround(down_hz));
+    head_put_16(payload + 6, lround(sight->azimuth_rad / (2 * M_PI) * turn));
+}
+
+static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
+{
+    double radius = world->road.radius_m;
+
+    for (int i = 0; i < PAYLOAD_BYTES; i++)
+        payload[i] = 0;
+    world->seen = look(world);
+    add_noise(world, &world->seen);
+    if (world->seen.target)
+        measure_beats(world, &world->seen, payload);
+    head_put_16(payload + 8, lround(world->rig.car.v_mps * 36));
+    head_put_16(payload + 10, fabs(radius) > 0 ? lround(1e6 / radius) : 0);
+    payload[12] = (uint8_t)((world->seen.target ? FLAG_TARGET : 0) |
+                            (world->front.beats == BEATS_SIGNED ? FLAG_SIGNED : 0));
+}
+
+static void spoil(struct random *random, uint8_t *payload)
+{
+    payload[12] |= FLAG_TARGET;
+    switch ((int)(random_uniform(random) * 7)) {
+    case 0:
+        head_put_16(payload + 8, 2501); /* own speed */
+        break;
+    case 1:
+        head_put_16(payload + 6, 8193); /* azimuth */
+        break;
+    case 2:
+        head_put_16(payload + 6, -32768);
+        break;
+    case 3:
+        head_put_16(payload + 10, -32768); /* curvature */
+        break;
+    case 4:
+        payload[12] |= 0x40; /* a flag that is none */
+        break;
+    case 5:
+        head_put_24(payload, 700000); /* 524 m and more */
+        head_put_24(payload + 3, 700000);
+        break;
+    default:
+        head_put_24(payload, -60000); /* a negative range */
+        head_put_24(payload + 3, 50000);
+        break;
+    }
+}
+
+/* --- time and pins ------------------------------------------------------------------------ */
+
+static void advance(struct world *world, int64_t t_ns)
+{
+    int64_t blind_ns = head_blind_ns(&world->head);
+
+    if (blind_ns <= t_ns) {
+        rig_advance(&world->rig, blind_ns);
+        rig_blind(&world->rig, true);
+    }
+    rig_advance(&world->rig, t_ns);
+}
+
+static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
+{
+    uint8_t payload[HEAD_PAYLOAD_MAX];
+
+    advance(world, t_ns);
+    rig_pin(&world->rig, t_ns, pin, level);
+    if (pin == PIN_CUT && world->rig.started)
+        car_cut(&world->rig.car, t_ns, level);
+    if (pin != PIN_TRIGGER || !head_trigger(&world->head, t_ns, level))
+        return;
+    pace_note(&world->pace, t_ns);
+    measure_all(world, payload);
+    head_measured(&world->head, t_ns, payload);
+}
+
+static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
+                       bool *level)
+{
+    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
+    return false;
+}
+
+static int64_t horizon_ns(const struct world *world, int64_t t_ns)
+{
+    return t_ns + world->head.delay_ns;
+}
+
+static int64_t guess_ns(const struct world *world, int64_t t_ns)
+{
+    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
+}
+
+static int64_t mark_ns(const struct world *world)
+{
+    return head_due_ns(&world->head);
+}
+
+static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
+{
+    size_t count = head_take(&world->head, t_ns, bytes);
+
+    if (head_blind_ns(&world->head) == INT64_MAX)
+        rig_blind(&world->rig, false);
+    return count;
+}
+
+/* --- life and outcome --------------------------------------------------------------------- */
+
+static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
+{
+    struct world *world = calloc(1, sizeof *world);
+
+    if (world == NULL)
+        abort();
+    rig_init(&world->rig, scenario, step_ns);
+    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    random_seed(&world->random, seed);
+    world->road = scenario->road;
+    world->front = scenario->front;
+    return world;
+}
+
+static void destroy(struct world *world)
+{
+    free(world);
+}
+
+static bool is_warm(const struct world *world)
+{
+    return head_is_warm(&world->head);
+}
+
+static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
+{
+    head_start(&world->head);
+    world->pace = (struct pace){0};
+    rig_start(&world->rig, levels);
+    car_cut(&world->rig.car, 0, levels[PIN_CUT]);
+}
+
+static void state_reported(struct world *world, int64_t t_ns, const char *state)
+{
+    rig_state_reported(&world->rig, t_ns, state);
+}
+
+static bool is_over(const struct world *world)
+{
+    return rig_is_over(&world->rig);
+}
+
+static void values(const struct world *world, double row[WORLD_COLUMNS])
+{
+    const struct sight *seen = &world->seen;
+
+    rig_values(&world->rig, row);
+    row[RIG_COLUMNS] = seen->target ? seen->range_m : NAN;
+    row[RIG_COLUMNS + 1] = seen->target ? seen->closing_mps : NAN;
+    row[RIG_COLUMNS + 2] = seen->target ? seen->azimuth_rad / degree : NAN;
+    row[RIG_COLUMNS + 3] = world->rig.levels[PIN_CUT];
+}
+
+static void tell(const struct outcome *outcome, const struct scenario *scenario)
+{
+    const double *value = outcome->values;
+
+    printf("%s: ", scenario->title);
+    if (value[METRIC_IMPACT] > 0)
+        printf("impact at %.1f km/h, closing at %.1f km/h\n", value[METRIC_FINAL_SPEED] * 3.6,
+               value[METRIC_IMPACT_MPS] * 3.6);
+    else if (isinf(value[METRIC_BRAKE_GAP]))
+        printf("the driver kept control\n");
+    else if (isinf(value[METRIC_RELEASE_GAP]))
+        printf("brakes from %.1f m on, to the end\n", value[METRIC_BRAKE_GAP]);
+    else
+        printf("brakes from %.1f m on, lets go at %.1f m and %.1f km/h\n", value[METRIC_BRAKE_GAP],
+               value[METRIC_RELEASE_GAP], value[METRIC_RELEASE_KMH]);
+    printf("  peak deceleration %.2f m/s2, most brake %.0f %%\n", value[METRIC_PEAK_DECEL],
+           value[METRIC_MAX_BRAKE]);
+}
+
+static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
+{
+    rig_measure(&world->rig, t_ns, outcome);
+}
+
+const struct world_class radar_world = {
+    .columns = columns,
+    .column_count = sizeof columns / sizeof columns[0],
+    .reported = reported,
+    .reported_count = sizeof reported / sizeof reported[0],
+    .create = create,
+    .destroy = destroy,
+    .is_warm = is_warm,
+    .start = start,
+    .pin_changed = pin_changed,
+    .advance = advance,
+    .next_input = next_input,
+    .horizon_ns = horizon_ns,
+    .guess_ns = guess_ns,
+    .mark_ns = mark_ns,
+    .take_bytes = take_bytes,
+    .state_reported = state_reported,
+    .is_over = is_over,
+    .values = values,
+    .tell = tell,
+    .measure = measure,
+};

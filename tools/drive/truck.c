@@ -1,0 +1,69 @@
+#include "truck.h"
+
+#include <math.h>
+
+static const double parked_m = 0.4, parked_rad = 2 * M_PI / 180;
+
+/* Where a truck is after T_S on its circle. */
+static struct truck after(const struct truck *truck, double turn_radps, double t_s)
+{
+    double v = truck->speed_mps, from = truck->heading_rad, to = from + turn_radps * t_s;
+    struct truck moved = *truck;
+
+    moved.heading_rad = to;
+    if (fabs(turn_radps * t_s) < 1e-9) {
+        moved.x_m -= v * t_s * cos(from);
+        moved.y_m -= v * t_s * sin(from);
+    } else {
+        moved.x_m -= v / turn_radps * (sin(to) - sin(from));
+        moved.y_m += v / turn_radps * (cos(to) - cos(from));
+    }
+    return moved;
+}
+
+double truck_drive(struct truck *truck, double steer_rad, double dt_s)
+{
+    double turn_radps = -truck->speed_mps / truck->length_m * tan(steer_rad);
+    struct truck end = after(truck, turn_radps, dt_s);
+    double low = 0, high = dt_s;
+
+    if (end.y_m > 0) {
+        *truck = end;
+        return dt_s;
+    }
+    for (int i = 0; i < 60; i++) {
+        double middle = 0.5 * (low + high);
+
+        if (after(truck, turn_radps, middle).y_m > 0)
+            low = middle;
+        else
+            high = middle;
+    }
+    *truck = after(truck, turn_radps, high);
+    truck->y_m = 0;
+    return high;
+}
+
+bool truck_step(struct truck *truck, double steer_rad, double dt_s)
+{
+    double dx = -truck->speed_mps * cos(truck->heading_rad) * dt_s;
+    double dy = -truck->speed_mps * sin(truck->heading_rad) * dt_s;
+    double turn = -truck->speed_mps / truck->length_m * tan(steer_rad) * dt_s;
+    bool arrives = truck->y_m + dy <= 0;
+    double part = arrives && dy < 0 ? truck->y_m / -dy : 1;
+
+    truck->x_m += dx * part;
+    truck->y_m = arrives ? 0 : truck->y_m + dy;
+    truck->heading_rad += turn * part;
+    return arrives;
+}
+
+double truck_turn_rad(const struct truck *truck)
+{
+    return remainder(truck->heading_rad - M_PI / 2, 2 * M_PI);
+}
+
+bool truck_is_parked(const struct truck *truck)
+{
+    return fabs(truck->x_m) < parked_m && fabs(truck_turn_rad(truck)) < parked_rad;
+}
