@@ -125,6 +125,7 @@ int s51_version(char *version, size_t size)
 {
     char *arguments[] = {"s51", "-v", NULL};
     char text[256] = "";
+    const char *answer;
     size_t length = 0;
     int output[2], nothing, reason, silences = 0;
     ssize_t got;
@@ -141,7 +142,7 @@ int s51_version(char *version, size_t size)
         close(output[0]);
         return no_s51(reason);
     }
-    while (length < sizeof text - 1 && silences < 20) {
+    while (length < sizeof text - 1 && silences < 10) {
         enum wait_result result = wait_for_bytes(output[0], -1);
 
         if (result == WAIT_SILENCE) {
@@ -157,8 +158,9 @@ int s51_version(char *version, size_t size)
     close(output[0]);
     kill_group(child);
     text[length] = '\0';
-    if (length > 5 && strncmp(text, "s51: ", 5) == 0) {
-        snprintf(version, size, "%.*s", (int)strcspn(text + 5, "\r\n "), text + 5);
+    answer = strstr(text, "s51: "); /* after the path that it was started by */
+    if (answer != NULL) {
+        snprintf(version, size, "%.*s", (int)strcspn(answer + 5, "\r\n "), answer + 5);
         return EXIT_FINE;
     }
     diag_error("s51", 0, "does not answer to -v; is the s51 in PATH uCsim's (package sdcc-ucsim)?");
@@ -357,15 +359,24 @@ static enum s51_status died(struct s51 *sim)
 
 /* --- lockstep ----------------------------------------------------------------------------- */
 
+/* Grid point N, half way between two machine cycles, rounded to 1 ns. */
+static int64_t grid_point_ns(const struct s51 *sim, int64_t n)
+{
+    const __int128 half_cycle = CLOCKS_PER_CYCLE * (__int128)1000000000 / 2; /* ns times Hz */
+
+    return (int64_t)(((2 * n + 1) * half_cycle + sim->clk_hz / 2) / sim->clk_hz);
+}
+
 int64_t s51_grid_ns(const struct s51 *sim, int64_t time_ns)
 {
-    /* Grid point n lies (2 n + 1) half cycles after reset. */
-    const __int128 half_cycles_ps = CLOCKS_PER_CYCLE * (__int128)1000000000000 / 2;
-    __int128 n = ((__int128)time_ns * 1000 * sim->clk_hz / half_cycles_ps - 1) / 2;
+    const __int128 cycle = CLOCKS_PER_CYCLE * (__int128)1000000000;
+    int64_t n = (int64_t)((__int128)time_ns * sim->clk_hz / cycle);
 
-    while ((2 * n + 1) * half_cycles_ps < (__int128)time_ns * 1000 * sim->clk_hz)
+    while (n > 0 && grid_point_ns(sim, n - 1) >= time_ns)
+        n--;
+    while (grid_point_ns(sim, n) < time_ns)
         n++;
-    return (int64_t)(((2 * n + 1) * half_cycles_ps / sim->clk_hz + 500) / 1000);
+    return grid_point_ns(sim, n);
 }
 
 static void add_text(struct s51 *sim, int64_t time_ns, char value, char id)

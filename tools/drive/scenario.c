@@ -618,7 +618,12 @@ int scenario_read(struct scenario *scenario, const char *file, char *const *sett
     reader.stream = fopen(file, "r");
     if (reader.stream == NULL)
         return diag_error(file, 0, "cannot read the scenario: %s", strerror(errno));
+    errno = 0;
     bad_line = ini_parse_stream(next_line, &reader, take_value, &reader);
+    if (ferror(reader.stream)) {
+        fclose(reader.stream);
+        return diag_error(file, 0, "cannot read the scenario: %s", strerror(errno));
+    }
     fclose(reader.stream);
     if (bad_line > 0 && reader.faults_found == 0) {
         reader.line = bad_line;

@@ -1,0 +1,45 @@
+#!/bin/bash
+# Each broken scenario of tests/bad gives the message of its first line, with its place, exit status 1,
+# and leaves nothing behind. The good ones of tests/loop give none.
+set -u
+out=build/tests/bad_scn
+mkdir -p "$out"
+failed=0
+
+say() { # NAME STATUS [why]
+    if [ "$2" = 0 ]; then
+        echo "tests/tools/test_bad_scn.sh:0:$1:PASS"
+    else
+        echo "tests/tools/test_bad_scn.sh:0:$1:FAIL: $3"
+        failed=1
+    fi
+}
+
+for file in tests/bad/*.scn; do
+    expected=$(sed -n '1s/^; expect: //p' "$file")
+    rm -f "$out"/*
+    build/drive run --hex build/canary.ihx --board stc89c516rd --scenario "$file" --csv "$out/x.csv" \
+        >"$out/stdout" 2>"$out/stderr"
+    status=$?
+    if [ -z "$expected" ]; then
+        say "$file" 1 "its first line is not '; expect: message'"
+    elif [ $status -ne 1 ]; then
+        say "$file" 1 "exit status $status in place of 1"
+    elif ! grep -qF -- "$file$expected" "$out/stderr"; then
+        say "$file" 1 "not '$file$expected' but: $(head -n 1 "$out/stderr")"
+    elif [ "$(wc -l <"$out/stderr")" -ne 1 ]; then
+        say "$file" 1 "more than one message: $(head -n 2 "$out/stderr" | tail -n 1)"
+    elif [ -s "$out/stdout" ] || [ "$(ls "$out" | wc -l)" -ne 2 ]; then
+        say "$file" 1 "something was written"
+    else
+        say "$file" 0
+    fi
+done
+
+for folder in $(find tests/loop -name '*.scn' -printf '%h\n' | sort -u); do
+    build/drive list "$folder" >"$out/stdout" 2>"$out/stderr"
+    say "$folder is good" $? "$(head -n 1 "$out/stderr")"
+    [ "$(wc -l <"$out/stdout")" -eq "$(find "$folder" -maxdepth 1 -name '*.scn' | wc -l)" ]
+    say "$folder is listed, a line each" $? "$(wc -l <"$out/stdout") lines"
+done
+exit $failed

@@ -1,0 +1,42 @@
+#!/bin/bash
+# --live: a picture in a terminal, whose cursor comes back also after an interrupt; plain lines
+# elsewhere; and the same numbers as without it.
+set -u
+place=tests/tools/test_live.sh
+out=build/tests/live
+mkdir -p "$out"
+failed=0
+run="build/drive run --hex build/stc89c516rd/brake.ihx --board stc89c516rd --scenario tests/loop/standing_car_3mps.scn"
+
+say() { # NAME STATUS [why]
+    if [ "$2" = 0 ]; then
+        echo "$place:0:$1:PASS"
+    else
+        echo "$place:0:$1:FAIL: $3"
+        failed=1
+    fi
+}
+
+$run --csv "$out/without.csv" >/dev/null
+$run --live --csv "$out/plain.csv" >"$out/plain"
+cmp -s "$out/without.csv" "$out/plain.csv"
+say "live changes no number" $? "the traces differ"
+! grep -q $'\033' "$out/plain" && grep -q 'gap .* m  speed .* m/s  brake .* %  CONTROL' "$out/plain"
+say "plain lines where there is no terminal" $? "$(head -n 3 "$out/plain")"
+
+begin=$(date +%s%N)
+TERM=xterm script -qec "$run --live --csv $out/terminal.csv" /dev/null >"$out/terminal" </dev/null
+took_ms=$((($(date +%s%N) - begin) / 1000000))
+cmp -s "$out/without.csv" "$out/terminal.csv"
+say "a terminal changes no number" $? "the traces differ"
+grep -q $'\033\[?25l' "$out/terminal" && grep -q 'brake' "$out/terminal" &&
+    [ "$(grep -ao $'\033\[?25[lh]' "$out/terminal" | tail -n 1)" = $'\033[?25h' ]
+say "the cursor goes and comes back" $? "$(grep -ao $'\033\[?25[lh]' "$out/terminal" | od -c | head -n 3)"
+end_ms=$(awk -F, 'END { print $1 * 1000 - 50 }' "$out/without.csv")
+awk -v took="$took_ms" -v simulated="$end_ms" 'BEGIN { exit took < simulated }'
+say "not faster than real time" $? "$took_ms ms for $end_ms ms"
+
+TERM=xterm script -qec "timeout -s INT 0.8 $run --live" /dev/null >"$out/broken" 2>&1 </dev/null
+[ "$(grep -ao $'\033\[?25[lh]' "$out/broken" | tail -n 1)" = $'\033[?25h' ] && grep -q "interrupted" "$out/broken"
+say "an interrupt gives the cursor back" $? "$(tail -n 1 "$out/broken")"
+exit $failed
