@@ -323,7 +323,7 @@ endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 
 TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
-    $(wildcard tests/chip/test_*.sh) $(BOARDS:%='tests/run_loop.sh %')
+    $(wildcard tests/chip/test_*.sh) $(patsubst %,'tests/run_loop.sh %',$(or $(BOARD),$(BOARDS)))
 
 .PHONY: run-test
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
