@@ -353,6 +353,11 @@ run-demo: tools
 run-report: all
 	@tools/report/report.sh $(or $(BOARD),stc89c516rd)
 
+# --- bench ------------------------------------------------------------------------------------
+.PHONY: run-bench
+run-bench: build/fistab $(LUT_IMAGES)
+	@tests/bench/fistab.sh
+
 # --- targets that install what they need first -------------------------------------------------
 demo fuzz report test:
 	@tools/deps.sh $@
