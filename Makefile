@@ -338,7 +338,7 @@ build/fuzz/fuzz_fis: $(FUZZ_SRC) $(wildcard tools/*/*.h)
 .PHONY: run-fuzz
 run-fuzz: build/fuzz/fuzz_fis
 	@mkdir -p build/fuzz/corpus
-	@build/fuzz/fuzz_fis -dict=tests/fuzz/fis.dict -max_total_time=$(FUZZ_SECONDS) -timeout=10 -max_len=4096 \
+	@build/fuzz/fuzz_fis -dict=tests/fuzz/fis.dict -max_total_time=$(FUZZ_SECONDS) -timeout=60 -max_len=4096 \
 	    -close_fd_mask=2 -print_final_stats=1 -artifact_prefix=build/fuzz/ \
 	    build/fuzz/corpus tests/fuzz/corpus tests/good tests/bad tests/golden tables
 

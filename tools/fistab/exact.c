@@ -296,10 +296,14 @@ static double share(const struct work *w, const struct piece *piece, double area
     }
     for (int i = 0; i < 60; i++) {
         double middle = left + (right - left) / 2;
-        if (quad(&w->integrand, piece->left, middle).area < area)
+        double part = quad(&w->integrand, left, middle).area;
+
+        if (part < area) {
+            area -= part;
             left = middle;
-        else
+        } else {
             right = middle;
+        }
     }
     return left;
 }
