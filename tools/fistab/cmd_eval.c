@@ -9,8 +9,17 @@
 #include "command.h"
 #include "diag.h"
 
+enum { KEY_RULES = 0x400 };
+
+struct session {
+    const struct fis *fis;
+    struct engine *engine;
+    bool rules; /* to be printed */
+};
+
 struct arguments {
     struct infer_options infer;
+    bool rules;
     const char *file;
     char **point;
     size_t numbers;
@@ -23,6 +32,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &a->infer;
+        return 0;
+    case KEY_RULES:
+        a->rules = true;
         return 0;
     case ARGP_KEY_ARG:
         if (a->file == NULL)
@@ -38,8 +50,13 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     }
 }
 
+static const struct argp_option options[] = {
+    {"rules", KEY_RULES, NULL, 0,
+     "Below each point, print the rules that fire, as lines that begin with %", 0},
+    {0},
+};
 static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
-static const struct argp argp = {NULL,
+static const struct argp argp = {options,
                                  parse,
                                  "FILE.fis [X1 X2 ...]",
                                  "Prints the outputs of FILE.fis at the point X1 X2 ..., or at "
@@ -62,41 +79,79 @@ static bool read_number(const char *text, double *number)
     return end != text && *end == '\0' && isfinite(*number) && fabs(*number) <= FIS_NUMBER_MAX;
 }
 
-static void eval_point(struct engine *engine, const struct fis *fis, const double *x,
-                       const char *file, int line)
+static void print_term(const struct variable *variable, int term, const char *before)
 {
+    if (term != 0)
+        printf("%s%s is %s%s", before, variable->name, term < 0 ? "not " : "",
+               fis_set(variable, term)->name);
+}
+
+/* "% 0.625 brake.fis:51: if distance_m is near and closing_mps is small then brake_pct is ..." */
+static void print_rules(const struct session *s)
+{
+    const struct fis *fis = s->fis;
+
+    for (size_t r = 0; r < fis->rules; r++) {
+        const struct rule *rule = &fis->rule[r];
+        const char *joint = " if ";
+
+        if (engine_strength(s->engine, r) == 0)
+            continue;
+        printf("%% %.3g %s:%d:", engine_strength(s->engine, r), fis->file, rule->line);
+        for (size_t i = 0; i < fis->inputs; i++) {
+            print_term(&fis->input[i], rule->term[i], joint);
+            if (rule->term[i] != 0)
+                joint = rule->is_or ? " or " : " and ";
+        }
+        joint = " then ";
+        for (size_t o = 0; o < fis->outputs; o++) {
+            print_term(&fis->output[o], rule->term[fis->inputs + o], joint);
+            if (rule->term[fis->inputs + o] != 0)
+                joint = ", ";
+        }
+        putchar('\n');
+    }
+}
+
+static void eval_point(const struct session *s, const double *x, const char *file, int line)
+{
+    const struct fis *fis = s->fis;
     double y[FIS_VARIABLES_MAX];
 
     for (size_t i = 0; i < fis->inputs; i++)
         if (x[i] < fis->input[i].min || x[i] > fis->input[i].max)
             diag_warning(file, line, "%s = %g is outside its range of %g to %g", fis->input[i].name,
                          x[i], fis->input[i].min, fis->input[i].max);
-    engine_eval(engine, x, y);
+    engine_eval(s->engine, x, y);
     for (size_t o = 0; o < fis->outputs; o++) {
-        if (!engine_fired(engine, o))
+        if (!engine_fired(s->engine, o))
             diag_warning(file, line,
                          "no rule fires for '%s'; the answer is the middle of its range",
                          fis->output[o].name);
         printf("%.10g%c", y[o], o + 1 == fis->outputs ? '\n' : ' ');
     }
+    if (s->rules)
+        print_rules(s);
 }
 
-static int eval_arguments(struct engine *engine, const struct fis *fis, const struct arguments *a)
+static int eval_arguments(const struct session *s, const struct arguments *a)
 {
+    size_t inputs = s->fis->inputs;
     double x[FIS_VARIABLES_MAX];
 
-    if (a->numbers != fis->inputs)
+    if (a->numbers != inputs)
         return diag_error(a->file, 0, "the system has %zu inputs, but %zu numbers are given",
-                          fis->inputs, a->numbers);
+                          inputs, a->numbers);
     for (size_t i = 0; i < a->numbers; i++)
         if (!read_number(a->point[i], &x[i]))
             return diag_error(NULL, 0, "'%s' is not a number", a->point[i]);
-    eval_point(engine, fis, x, a->file, 0);
+    eval_point(s, x, a->file, 0);
     return EXIT_FINE;
 }
 
-static int eval_line(struct engine *engine, const struct fis *fis, char *text, int line)
+static int eval_line(const struct session *s, char *text, int line)
 {
+    size_t inputs = s->fis->inputs;
     double x[FIS_VARIABLES_MAX];
     size_t numbers = 0;
     char *rest = NULL;
@@ -105,30 +160,30 @@ static int eval_line(struct engine *engine, const struct fis *fis, char *text, i
          word = strtok_r(NULL, " \t\r\n,;", &rest)) {
         if (numbers == 0 && (*word == '%' || *word == '#'))
             return EXIT_FINE;
-        if (numbers == fis->inputs)
+        if (numbers == inputs)
             return diag_error("stdin", line, "more than %zu numbers; the system has so many inputs",
-                              fis->inputs);
+                              inputs);
         if (!read_number(word, &x[numbers]))
             return diag_error("stdin", line, "'%s' is not a number", word);
         numbers++;
     }
     if (numbers == 0)
         return EXIT_FINE;
-    if (numbers != fis->inputs)
+    if (numbers != inputs)
         return diag_error("stdin", line, "%zu numbers, but the system has %zu inputs", numbers,
-                          fis->inputs);
-    eval_point(engine, fis, x, "stdin", line);
+                          inputs);
+    eval_point(s, x, "stdin", line);
     return EXIT_FINE;
 }
 
-static int eval_stdin(struct engine *engine, const struct fis *fis)
+static int eval_stdin(const struct session *s)
 {
     char *text = NULL;
     size_t room = 0;
     int status = EXIT_FINE;
 
     for (int line = 1; status == EXIT_FINE && getline(&text, &room, stdin) >= 0; line++)
-        status = eval_line(engine, fis, text, line);
+        status = eval_line(s, text, line);
     free(text);
     return status;
 }
@@ -161,8 +216,8 @@ int cmd_eval(int argc, char **argv)
 {
     struct arguments a = {.infer = {.samples = INFER_SAMPLES}};
     char **guarded = guard_numbers(&argc, argv);
-    struct engine *engine = NULL;
     struct fis fis;
+    struct session session = {.fis = &fis};
     int status;
 
     a.point = calloc((size_t)argc, sizeof *a.point);
@@ -171,14 +226,15 @@ int cmd_eval(int argc, char **argv)
     argp_parse(&argp, argc, guarded, 0, NULL, &a);
     status = fis_read(a.file, &fis);
     if (status == EXIT_FINE) {
-        engine = engine_create(&fis, &a.infer);
-        if (engine == NULL)
+        session.engine = engine_create(&fis, &a.infer);
+        session.rules = a.rules;
+        if (session.engine == NULL)
             status = EXIT_INPUT;
         else if (a.numbers > 0)
-            status = eval_arguments(engine, &fis, &a);
+            status = eval_arguments(&session, &a);
         else
-            status = eval_stdin(engine, &fis);
-        engine_free(engine);
+            status = eval_stdin(&session);
+        engine_free(session.engine);
         fis_free(&fis);
     }
     if (fflush(stdout) != 0 || ferror(stdout))
