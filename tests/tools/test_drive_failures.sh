@@ -76,7 +76,7 @@ expect() { # NAME STATUS MESSAGE command...: one line on stderr that holds MESSA
 # --- usage and inputs ---
 expect "no command" 2 "say what to do: run, list DIR or canary" "$drive"
 expect "unknown command" 2 "say what to do" "$drive" fly
-expect "run without options" 2 "run wants --hex, --board and --scenario" "$drive" run
+expect "run without options" 2 "run wants --board and --scenario" "$drive" run
 expect "unknown option" 2 "unrecognized option" "$drive" run --fast
 expect "quantum beyond the sensor's delay" 2 "--quantum-us=401: give a whole number in 10..400" run PLAIN --quantum-us 401
 expect "step of no length" 2 "--step-us=0: give a whole number" run PLAIN --step-us 0
