@@ -322,6 +322,23 @@ static void test_that_a_table_that_obeys_is_only_rounded(void)
         TEST_ASSERT_EQUAL_INT(table_round(surface[i]), cells[i]);
 }
 
+/* Halves as floating point makes them, a little more or less: they stay as rounding has them. */
+static void test_that_halves_change_no_cell(void)
+{
+    struct repair_report report;
+    struct law law;
+
+    make_brake(100);
+    for (size_t i = 0; i < table.cells; i++) {
+        table.surface[0][i] = (double)(i % 100) / 2 + (i % 3 == 0 ? -1e-12 : 1e-12);
+        table.cell[0][i] = table_round(table.surface[0][i]);
+    }
+    TEST_ASSERT_TRUE(law_parse("-1,+2", &law));
+    TEST_ASSERT_EQUAL(0, repair_output(&table, 0, &law, &report));
+    TEST_ASSERT_EQUAL(0, report.broken_before);
+    TEST_ASSERT_EQUAL(0, report.changed);
+}
+
 static void test_that_free_inputs_are_only_rounded(void)
 {
     double surface[CELLS_MAX];
@@ -394,6 +411,7 @@ int main(void)
     RUN_TEST(test_that_the_brakes_table_of_255_levels_is_the_nearest_one);
     RUN_TEST(test_that_the_brakes_repair_is_as_small_as_the_study_says);
     RUN_TEST(test_that_a_table_that_obeys_is_only_rounded);
+    RUN_TEST(test_that_halves_change_no_cell);
     RUN_TEST(test_that_free_inputs_are_only_rounded);
     RUN_TEST(test_that_noise_becomes_monotone);
     RUN_TEST(test_that_a_broken_pair_is_found_and_named);

@@ -299,15 +299,23 @@ static double sum_of_squares(const struct table *table, size_t output)
 int repair_output(struct table *table, size_t output, const struct law *law,
                   struct repair_report *report)
 {
-    int inputs = (int)table->inputs, *cell = table->cell[output];
+    int inputs = (int)table->inputs, *cell = table->cell[output], status;
     const double *surface = table->surface[output];
+    /* Halves go up as they do in rounding, so that no cell changes but for the law. */
+    double *nudged = malloc(table->cells * sizeof *nudged);
 
+    if (nudged == NULL)
+        return -1;
+    for (size_t i = 0; i < table->cells; i++)
+        nudged[i] = surface[i] + TABLE_HALF_WITHIN;
     *report = (struct repair_report){
         .broken_before = repair_violations(cell, table->dims, inputs, law->direction, NULL),
         .squares_before = sum_of_squares(table, output),
     };
-    if (repair_monotone(surface, table->dims, inputs, law->direction, table->options.levels,
-                        cell) != 0)
+    status =
+        repair_monotone(nudged, table->dims, inputs, law->direction, table->options.levels, cell);
+    free(nudged);
+    if (status != 0)
         return -1;
     report->broken_after = repair_violations(cell, table->dims, inputs, law->direction, NULL);
     report->squares_after = sum_of_squares(table, output);

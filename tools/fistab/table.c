@@ -36,12 +36,12 @@ void table_coordinates(const struct table *table, size_t cell, size_t *at)
 
 int table_round(double levels)
 {
-    return (int)floor(levels + 0.5 + 1e-9);
+    return (int)floor(levels + 0.5 + TABLE_HALF_WITHIN);
 }
 
 int table_rounded(const struct table *table, double levels)
 {
-    return table->options.half_down ? (int)ceil(levels - 0.5 - 1e-9) : table_round(levels);
+    return table->options.half_down ? (int)ceil(levels - 0.5 - TABLE_HALF_WITHIN) : table_round(levels);
 }
 
 /* "distance_m = 3, closing_mps = 10" */
