@@ -201,4 +201,8 @@ head -c 1000000 /dev/zero >$out/zero.fis
 quick zero_bytes 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fistab check $out/zero.fis
 printf '%s' "$(cat tables/brake.fis)" | iconv -f UTF-8 -t UTF-16 >$out/utf16.fis
 quick utf16 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fistab check $out/utf16.fis
+# --- what make fuzz found
+quick exact_negation 2 0 "" $fistab eval --exact tests/fuzz/slow_negation.fis 5 12
+quick exact_bisector 2 0 "" $fistab eval --exact tests/fuzz/slow_bisector.fis 9 -1.5
+quick exact_needle 2 0 "" $fistab eval --exact tests/fuzz/slow_needle.fis -1.15625 0.65625
 exit $failed
