@@ -200,10 +200,11 @@ flash: $(OUT)/$(APP).hex
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
 
+KNOBS = $(TABLE) $(ENCODING) $(ESTIMATOR) $(subst ',,$(SDCC_FLAGS))
 # Changes when a knob does, so that objects of other settings are never linked.
 $(OUT)/board.stamp: FORCE
-	@mkdir -p $(@D); echo '$(TABLE) $(ENCODING) $(SDCC_FLAGS)' | cmp -s - $@ || echo '$(TABLE) $(ENCODING) $(SDCC_FLAGS)' >$@
-FORCE:
+	@mkdir -p $(@D); echo '$(KNOBS)' | cmp -s - $@ || echo '$(KNOBS)' >$@
+.PHONY: FORCE
 
 -include $(wildcard $(OUT)/*/*/*.d $(OUT)/*/tests/*/*.d)
 endif
