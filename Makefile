@@ -351,7 +351,7 @@ run-demo: tools
 
 # --- the report -------------------------------------------------------------------------------
 .PHONY: run-report
-run-report: all
+run-report: all grid
 	@tools/report/report.sh $(or $(BOARD),stc89c516rd)
 
 # --- bench ------------------------------------------------------------------------------------

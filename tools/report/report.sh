@@ -72,10 +72,8 @@ scenarios_of() {
 
 # All pairs of image and scenario.
 built=
-ids=
 for tab in $here/tabs/*.tab; do
     id=$(tab_id "$tab")
-    ids="$ids $id"
     scenarios_of "$tab" >"$work/scenarios"
     for image in $(tab_values "$tab" image | cut -d'|' -f1); do
         hex=build/$board/$image.ihx
@@ -92,6 +90,8 @@ for tab in $here/tabs/*.tab; do
 done >"$work/pairs"
 [ -n "$built" ] || fail "no image of a controller in build/$board; run make BOARD=$board"
 [ -s "$work/pairs" ] || fail "no scenario is called '$ONLY'"
+# A tab with nothing to show is left out.
+ids=$(cut -f1 "$work/pairs" | uniq)
 
 # Tasks: tab, image, scenario, key, image's file, scenario's file, seconds of simulated time.
 cut -f6 "$work/pairs" | sort -u >"$work/files"
