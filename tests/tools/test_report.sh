@@ -126,7 +126,7 @@ rm -rf "$out/report/runs" "$out/calls"
 touch "$out/slow"
 only='seen_0[0-5]* cutin_* map_*' setsid bash -c "$(declare -f run_report); out=$out; run_report" &
 group=$!
-for _ in $(seq 100); do
+for _ in $(seq 600); do
     sleep 0.2
     [ "$(find "$out/report/runs" -name exit 2>/dev/null | grep -vc part)" -ge 2 ] && break
 done
