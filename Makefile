@@ -357,11 +357,11 @@ run-report: all grid
 
 # --- bench ------------------------------------------------------------------------------------
 .PHONY: run-bench
-run-bench: build/fistab $(LUT_IMAGES)
-	@tests/bench/fistab.sh
+run-bench: all $(LUT_IMAGES)
+	@for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench; done
 
 # --- targets that install what they need first -------------------------------------------------
-bench demo fuzz report test:
+demo fuzz report test:
 	@tools/deps.sh $@
 	@$(MAKE) run-$@
 
