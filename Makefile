@@ -357,10 +357,8 @@ run-report: all grid
 
 # --- bench ------------------------------------------------------------------------------------
 .PHONY: run-bench
-run-bench: all $(LUT_IMAGES) tools
+run-bench: all $(LUT_IMAGES)
 	@for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench; done
-	@$(MAKE) BOARD=stc89c516rd firmware >/dev/null
-	@tests/bench/drive.sh
 
 # --- targets that install what they need first -------------------------------------------------
 demo fuzz report test:
