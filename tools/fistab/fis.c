@@ -130,9 +130,8 @@ static int validate_rule(const struct fis *fis, const struct rule *rule)
 {
     if (rule->inputs != fis->inputs || rule->outputs != fis->outputs)
         return diag_error(fis->file, rule->line,
-                          "this rule has %zu inputs and %zu outputs, the system %zu and %zu; write "
-                          "0 for one that "
-                          "is not used",
+                          "this rule has %zu inputs and %zu outputs, the system %zu and %zu; "
+                          "write 0 for one that is not used",
                           rule->inputs, rule->outputs, fis->inputs, fis->outputs);
     for (size_t i = 0; i < rule->inputs + rule->outputs; i++) {
         bool is_output = i >= rule->inputs;

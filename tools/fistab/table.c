@@ -41,7 +41,8 @@ int table_round(double levels)
 
 int table_rounded(const struct table *table, double levels)
 {
-    return table->options.half_down ? (int)ceil(levels - 0.5 - TABLE_HALF_WITHIN) : table_round(levels);
+    return table->options.half_down ? (int)ceil(levels - 0.5 - TABLE_HALF_WITHIN)
+                                    : table_round(levels);
 }
 
 /* "distance_m = 3, closing_mps = 10" */
