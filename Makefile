@@ -69,6 +69,14 @@ build/fistab: $(FISTAB_SRC:%.c=build/host/%.o)
 	$(Q)$(CC) $(CFLAGS) $^ -lm -o $@
 build/drive: $(DRIVE_SRC:%.c=build/host/%.o)
 	$(Q)$(CC) $(CFLAGS) $^ $(DRIVE_LIBS) -lm -o $@
+# The laboratory: drive's world around control logic on the host, each law in a shared object.
+LAB_SRC    := $(filter-out %/lut.c,$(wildcard tools/lab/*.c)) \
+    $(filter-out %/main.c,$(FISTAB_SRC) $(filter tools/drive/%,$(DRIVE_SRC)))
+LAB_IMAGES := $(patsubst %,build/lab-images/%.so,brake tuned classic first none)
+tools: build/lab $(LAB_IMAGES)
+build/lab: $(LAB_SRC:%.c=build/host/%.o)
+	$(Q)$(CC) $(CFLAGS) $^ $(DRIVE_LIBS) -ldl -lm -o $@
+build/host/tools/lab/%.o: HOST_FLAGS += -Itools/drive -Itools/fistab
 # The image that drive runs to see whether a simulator keeps time.
 build/canary.ihx: tools/drive/canary/image.c
 	@mkdir -p build/canary
@@ -135,6 +143,17 @@ follow_paper_TABLE := tables/follow_paper.fis
 follow_paper_GRID  := $(follow_GRID)
 follow_paper_FLAGS := $(follow_FLAGS) -DFOLLOW_AS_PUBLISHED
 follow_paper_MODULES := $(follow_MODULES)
+
+LAB_CORE := $(addprefix firmware/core/,brake closing range fixed)
+define lab_image
+build/lab-images/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
+	@mkdir -p $$(@D)
+	$$(Q)build/fistab table $$< --name=lut -o $$@
+build/lab-images/$(1).so: tools/lab/lut.c $(LAB_CORE:%=%.c) $(patsubst %,%.c,$(filter firmware/core/law_% firmware/core/cell firmware/core/ease,$($(1)_MODULES:%=firmware/%))) $(wildcard firmware/core/*.h) build/lab-images/$(1)/lut_table.h
+	$$(Q)$$(CC) -O2 -g -std=c11 -fPIC -shared -DCLK_HZ=12000000UL -DFAULT_PCT=60 $($(1)_FLAGS) -Ifirmware/core \
+	    -Ibuild/lab-images/$(1) $$(filter %.c,$$^) -o $$@
+endef
+$(foreach law,brake $(LAWS),$(eval $(call lab_image,$(law))))
 
 SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
 
@@ -301,13 +320,14 @@ LUT_plain           := tables/brake.fis
 LUT_plain-repaired  := tables/brake.fis --repair=-1,+2
 LUT_packed          := tables/brake.fis --encoding=packed
 LUT_packed-repaired := tables/brake.fis --encoding=packed --repair=-1,+2
+LUT_packed-tuned    := tables/brake_tuned.fis --encoding=packed
 # Other paths of lut.c: one input, 256 cells along either, no rows alike at the start, many blocks.
 LUT_plain-one-input := tests/lut/one_input.fis
 LUT_plain-256       := tables/brake.fis --grid=40x256
 LUT_packed-256      := tables/brake.fis --encoding=packed --grid=256x40
 LUT_packed-gap      := tables/gap.fis --encoding=packed
 LUT_packed-wide     := tables/gap.fis --encoding=packed --levels=200
-LUT_CASES := plain packed plain-repaired packed-repaired plain-one-input plain-256 packed-256 packed-gap packed-wide
+LUT_CASES := plain packed plain-repaired packed-repaired packed-tuned plain-one-input plain-256 packed-256 packed-gap packed-wide
 LUT_IMAGES := $(LUT_CASES:%=build/lut/%/all_cells.ihx) $(LUT_CASES:%=build/lut/%/host)
 define lut_rules
 build/lut/$(1)/lut_table.h: $(firstword $(LUT_$(1))) build/fistab
@@ -325,7 +345,8 @@ endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 
 TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
-    $(wildcard tests/chip/test_*.sh) $(patsubst %,'tests/run_loop.sh %',$(or $(BOARD),$(BOARDS)))
+    $(wildcard tests/chip/test_*.sh) $(patsubst %,'tests/run_loop.sh %',$(or $(BOARD),$(BOARDS))) \
+    $(foreach law,$(LAWS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),stc89c516rd) tests/loop/$(law)')
 
 .PHONY: run-test
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)

@@ -6,8 +6,8 @@
 #include "cc51.h"
 #include "closing.h"
 
-/* Row of a distance, column of a speed: the first and the last one reach on beyond the table's ends.
- * About 120 mc each. */
+/* Row of a distance, column of a speed: the first and the last one reach on beyond the table's
+ * ends. */
 uint8_t cell_row(uint16_t dist_mm);
 uint8_t cell_col(const struct closing_speed __data *speed);
 

@@ -6,8 +6,8 @@
  *   law_first    full brake at first sight: the most that this sensor allows
  *   law_none     never
  *
- * Readings, STOP, faults and signals are the same around each of them, so images differ by their law
- * alone. Portable, integers, no division. */
+ * Readings, STOP, faults and signals are the same around each of them, so images differ by their
+ * law alone. Portable, integers, no division. */
 #ifndef FUZZY51_LAW_H
 #define FUZZY51_LAW_H
 
@@ -23,16 +23,15 @@
 enum law_target {
     LAW_TRACKED, /* it was there at the last good reading */
     LAW_NEW,     /* it was not, or nothing is known */
-    LAW_ENTERED, /* it was not, and that reading came LAW_ENTER_CS before this one and saw a clear road */
+    LAW_ENTERED, /* it was not: LAW_ENTER_CS ago a reading saw a clear road */
 };
 #define LAW_ENTER_CS 6U
 
 /* One control step: percent, 0..100, for a target `dist_mm` away (enum law_target) that closes with
- * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked. At most 600 mc. */
+ * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked. */
 uint8_t law_step(uint16_t dist_mm, uint8_t target);
 
-/* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past.
- * At most 350 mc. */
+/* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past. */
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed);
 
 #endif

@@ -1,6 +1,6 @@
-/* The classic safe distance: full brake when the gap is below v*t + v^2/(2a) + margin. v is the closing
- * speed: this car has no speedometer, so it knows no other. Once braking it goes on until the gap is
- * LAW_CLASSIC_RELEASE_MM more than safe. */
+/* The classic safe distance: full brake when the gap is below v*t + v^2/(2a) + margin. v is the
+ * closing speed: this car has no speedometer, so it knows no other. Once braking it goes on until
+ * the gap is LAW_CLASSIC_RELEASE_MM more than safe. */
 #include <stdbool.h>
 #include "brake.h"
 #include "fixed.h"
@@ -10,7 +10,7 @@
 /* Factors for mul_hi_u16: n / 65536. */
 #define DELAY_FACTOR ((uint16_t)(65536UL * LAW_CLASSIC_DELAY_MS / 1000U))
 /* v^2/(2a) in two steps: (8v)^2 >> 16 is v^2/1024, and that times 1024/(2a). */
-#define BRAKE_FACTOR ((uint16_t)(65536UL * 512U / LAW_CLASSIC_DECEL_MMPS2))
+#define BRAKE_FACTOR   ((uint16_t)(65536UL * 512U / LAW_CLASSIC_DECEL_MMPS2))
 #define SPEED_END_MMPS 8192U
 
 static __bit is_braking;

@@ -1,4 +1,4 @@
-/* The constants of the classic law: time until the brake bites, 80 % of a brake of 8 m/s2, stand-off. */
+/* The classic law's constants: time until the brake bites, 80 % of a brake of 8 m/s2, stand-off. */
 #ifndef FUZZY51_LAW_CLASSIC_H
 #define FUZZY51_LAW_CLASSIC_H
 
@@ -9,8 +9,8 @@
 #define LAW_CLASSIC_MARGIN_MM   1000U
 #define LAW_CLASSIC_RELEASE_MM  500U
 
-/* The safe distance, at most 4 mm below the exact one; of more than 8.19 m/s that of 8.19 m/s, 8.7 m,
- * further than the sensor sees. About 300 mc. */
+/* The safe distance, at most 4 mm below the exact one; faster than 8.19 m/s it stays
+ * 8.7 m, further than the sensor sees. */
 uint16_t law_classic_safe_mm(uint16_t closing_mmps);
 
 #endif

@@ -1,5 +1,5 @@
-/* Full brake as soon as anything is within reach: no controller with this sensor can brake earlier or
- * harder, so this is the physical limit that others are measured against. */
+/* Full brake as soon as anything is within reach: no controller with this sensor can brake earlier
+ * or harder, so this is the physical limit that others are measured against. */
 #include "law.h"
 
 uint8_t law_step(uint16_t dist_mm, uint8_t target)

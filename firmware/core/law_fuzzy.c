@@ -5,8 +5,8 @@
 #include "law.h"
 #include "lut.h"
 
-/* Nearer and faster cells are taken at once; further and slower ones only from BRAKE_SLACK_x cells on,
- * so that a noisy sensor at a constant gap does not make the brake chatter. */
+/* Nearer and faster cells are taken at once; further and slower ones only from BRAKE_SLACK_x cells
+ * on, so that a noisy sensor at a constant gap does not make the brake chatter. */
 uint8_t law_step(uint16_t dist_mm, uint8_t target)
 {
     uint8_t row = cell_row(dist_mm), col = cell_col(&BRAKE_SPEED);

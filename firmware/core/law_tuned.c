@@ -14,14 +14,16 @@ static uint8_t look_up(uint16_t dist_mm, const struct closing_speed __data *spee
     return lut_at(brake.row, brake.col);
 }
 
-/* One reading ago the road was clear as far as the table goes, so the target came at least this far. */
+/* One reading ago the road was clear as far as the table goes, so the target came at least this
+ * far. */
 static uint8_t first_sight(uint16_t dist_mm)
 {
     static __data struct closing_speed least;
     uint16_t came_mm = LAW_FAR_MM - dist_mm;
     uint8_t pct;
 
-    least.closing_mmps = (uint16_t)(came_mm << 4); /* in 1/16 s; it was LAW_ENTER_CS, a little less */
+    least.closing_mmps =
+        (uint16_t)(came_mm << 4); /* in 1/16 s; it was LAW_ENTER_CS, a little less */
     pct = look_up(dist_mm, &least);
     return pct < LAW_TUNED_FIRST_PCT ? pct : LAW_TUNED_FIRST_PCT;
 }

@@ -2,12 +2,12 @@
 #ifndef FUZZY51_LAW_TUNED_H
 #define FUZZY51_LAW_TUNED_H
 
-/* A target that shows up at most so far inside the table, right after a clear road, came driving: its
- * closing speed is at least what brought it here (up to 13 m/s). One further inside cut in. */
-#define LAW_TUNED_FIRST_MM  800U
+/* A target that shows up at most so far inside the table, right after a clear road, came driving:
+ * its closing speed is at least what brought it here (up to 13 m/s). One further inside cut in. */
+#define LAW_TUNED_FIRST_MM 800U
 
-/* One reading may be a stray one, so it brakes no harder than this: 25 m/s3 on a brake of 8 m/s2 with
- * a lag of 0.2 s. */
+/* One reading may be a stray one, so it brakes no harder than this: 25 m/s3 on a brake of 8 m/s2
+ * with a lag of 0.2 s. */
 #define LAW_TUNED_FIRST_PCT 60U
 
 #endif

@@ -1,4 +1,5 @@
-/* law_first in the brake: full at the first reading within 5 m, whatever the speed; STOP as ever. */
+/* law_first in the brake: full at the first reading within 5 m, whatever the speed; STOP as ever.
+ */
 #include <stddef.h>
 #include "unity.h"
 #include "brake.h"
@@ -10,9 +11,7 @@ void setUp(void)
     brake_init(BRAKE_FAULT_NONE);
 }
 
-void tearDown(void)
-{
-}
+void tearDown(void) {}
 
 static void test_full_brake_at_first_sight(void)
 {
@@ -21,7 +20,8 @@ static void test_full_brake_at_first_sight(void)
     for (mm = 1001; mm <= 6000; mm++) {
         brake_init(BRAKE_FAULT_NONE);
         brake_step(RANGE_ECHO, mm, 6);
-        TEST_ASSERT_EQUAL_UINT8_MESSAGE(mm <= 5000 ? 100 : 0, brake.brake_pct, "at the first reading");
+        TEST_ASSERT_EQUAL_UINT8_MESSAGE(mm <= 5000 ? 100 : 0, brake.brake_pct,
+                                        "at the first reading");
     }
 }
 

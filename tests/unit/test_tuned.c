@@ -24,13 +24,12 @@ void setUp(void)
     ease_restart();
 }
 
-void tearDown(void)
-{
-}
+void tearDown(void) {}
 
 /* --- first sight ------------------------------------------------------------------------------ */
 
-/* In the tuned table 6.4 m/s at 4.6 m is full brake; one reading gets at most LAW_TUNED_FIRST_PCT. */
+/* In the tuned table 6.4 m/s at 4.6 m is full brake; one reading gets at most LAW_TUNED_FIRST_PCT.
+ */
 static void test_a_fast_target_is_braked_at_first_sight(void)
 {
     look(RANGE_NO_TARGET, 0);

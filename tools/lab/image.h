@@ -1,0 +1,25 @@
+/* A controller as a program of the host: firmware/core with the settings of one image, in a shared
+ * object, so that several can be in one process. */
+#ifndef FUZZY51_IMAGE_H
+#define FUZZY51_IMAGE_H
+
+#include "../../firmware/core/brake.h"
+
+enum { IMAGE_CELLS = 100 }; /* along either input */
+
+struct image {
+    const char *path;
+    struct brake_output *brake;
+    void (*init)(uint8_t fault);
+    void (*step)(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs);
+    void (*tick)(bool override_held);
+    bool (*must_stop)(uint16_t dist_mm);
+    uint16_t (*range_mm)(uint16_t ticks);
+    uint8_t (*range_kind)(uint16_t dist_mm);
+    uint8_t (*cells)[IMAGE_CELLS]; /* its table; may be written over */
+};
+
+/* Loads PATH. Returns EXIT_FINE, or EXIT_INPUT after a message. It stays loaded to the end. */
+int image_load(struct image *image, const char *path);
+
+#endif

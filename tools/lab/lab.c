@@ -1,0 +1,181 @@
+#include "lab.h"
+
+#include "loop.h"
+
+#include <math.h>
+
+/* Peaks are sampled once a step, and the motion within one is exact. */
+enum { STEP_US = 5000 };
+
+/* 8 m/s2, 50 ms dead time, 0.2 s lag; 1 cm of noise, 2 % of the readings missing, 5 m of sight. */
+static struct scenario situation(double speed_mps, double duration_s)
+{
+    struct scenario scenario = {.duration_s = duration_s, .hold_s = 0.5};
+
+    scenario.ego = (struct ego){.speed_mps = speed_mps,
+                                .brake_max_mps2 = 8,
+                                .brake_lag_s = 0.2,
+                                .brake_dead_s = 0.05,
+                                .rolling_mps2 = 0.15,
+                                .driver = DRIVER_HOLDS,
+                                .driver_mps = SCENARIO_UNSET,
+                                .driver_mps2 = 2};
+    scenario.lead = (struct lead){.present = true,
+                                  .appears_s = SCENARIO_UNSET,
+                                  .leaves_s = SCENARIO_UNSET,
+                                  .change_s = SCENARIO_UNSET};
+    scenario.sensor = (struct sensor){.noise_m = 0.01,
+                                      .dropout = 0.02,
+                                      .temp_c = 20,
+                                      .min_m = 0.02,
+                                      .max_m = 5,
+                                      .delay_us = 450,
+                                      .no_echo_us = 38000};
+    for (int i = 0; i < SCENARIO_FAULTS; i++)
+        scenario.faults[i] = (struct fault){.kind = -1, .for_s = SCENARIO_UNSET, .scale = 1};
+    scenario.override.from_s = SCENARIO_UNSET;
+    scenario.uart.at_s = SCENARIO_UNSET;
+    return scenario;
+}
+
+static void add(struct figures *figures, const struct image *image, const struct scenario *scenario,
+                int run, int runs)
+{
+    struct outcome outcome;
+    const double *value = outcome.values;
+    double gap_m, part = 1.0 / runs;
+
+    loop_run(image, scenario, (uint64_t)run + 1, STEP_US, &outcome);
+    gap_m = value[METRIC_IMPACT] > 0 ? -value[METRIC_IMPACT_MPS] * value[METRIC_IMPACT_MPS] / 16
+                                     : value[METRIC_MIN_GAP];
+    if (run == 0)
+        *figures = (struct figures){.runs = runs, .gap_min_m = INFINITY};
+    figures->impacts += value[METRIC_IMPACT] > 0;
+    figures->gap_min_m = fmin(figures->gap_min_m, gap_m);
+    figures->gap_mean_m += part * gap_m;
+    figures->gap_short_m += part * fmax(0.25 - gap_m, 0);
+    figures->jerk_worst_mps3 = fmax(figures->jerk_worst_mps3, value[METRIC_PEAK_JERK]);
+    figures->jerk_mean_mps3 += part * value[METRIC_PEAK_JERK];
+    figures->decel_mean_mps2 += part * value[METRIC_PEAK_DECEL];
+    figures->rms_mps2 += part * value[METRIC_RMS_ACCEL];
+    figures->stuck_worst_s = fmax(figures->stuck_worst_s, value[METRIC_STUCK]);
+}
+
+/* Parts of one, evenly spread however many are taken. */
+static double spread(int run)
+{
+    return fmod(run * 0.6180339887498949, 1);
+}
+
+struct figures lab_standing(const struct image *image, double speed_mps, int runs)
+{
+    struct scenario scenario = situation(speed_mps, 20);
+    struct figures figures;
+
+    for (int run = 0; run < runs; run++) {
+        scenario.lead.gap_m = 6.5 + spread(run) * 0.06 * speed_mps; /* any phase of the sensor */
+        add(&figures, image, &scenario, run, runs);
+    }
+    return figures;
+}
+
+struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int runs)
+{
+    struct scenario scenario = situation(10, 12);
+    struct figures figures;
+
+    scenario.lead.gap_m = 5;
+    scenario.lead.speed_mps = 10;
+    scenario.lead.change_mps2 = -decel_mps2;
+    for (int run = 0; run < runs; run++) {
+        scenario.lead.change_s = 0.5 + spread(run) * 0.06;
+        add(&figures, image, &scenario, run, runs);
+    }
+    return figures;
+}
+
+struct figures lab_stop_and_go(const struct image *image, double driver_mps2, int runs)
+{
+    struct scenario scenario = situation(0, 120);
+    struct figures figures;
+
+    scenario.hold_s = SCENARIO_UNSET;
+    scenario.ego.driver_mps = 8;
+    scenario.ego.driver_mps2 = driver_mps2;
+    scenario.lead.gap_m = 3;
+    for (int i = 0; i < 12; i++) {
+        static const double from_s[] = {14, 20, 34, 40};
+        static const double speed_mps[] = {0, 3, 3, 0};
+
+        scenario.lead.profile[i].t_s = i / 4 * 40 + from_s[i % 4];
+        scenario.lead.profile[i].speed_mps = speed_mps[i % 4];
+    }
+    scenario.lead.points = 12;
+    for (int run = 0; run < runs; run++)
+        add(&figures, image, &scenario, run, runs);
+    return figures;
+}
+
+/* --- what controllers come to ---------------------------------------------------------------- */
+
+static const double step_mps = 0.1;
+
+/* Highest speeds without an impact in any of the runs, and in half of them. */
+static void print_limits(FILE *out, const struct image *image, int runs)
+{
+    double safe_mps = 0, median_mps = 0;
+    bool is_safe = true;
+
+    for (int k = 30; k <= 80; k++) {
+        struct figures figures = lab_standing(image, k * step_mps, runs);
+
+        is_safe = is_safe && figures.impacts == 0;
+        if (is_safe)
+            safe_mps = k * step_mps;
+        if (2 * figures.impacts <= runs)
+            median_mps = k * step_mps;
+    }
+    fprintf(out,
+            "  standing car: no impact in %d runs up to %.1f m/s, in half of them up to %.1f m/s\n",
+            runs, safe_mps, median_mps);
+}
+
+static void print_image(FILE *out, const struct image *image, int runs)
+{
+    fprintf(out, "%s\n", image->path);
+    print_limits(out, image, runs);
+    for (double speed_mps = 6.2; speed_mps < 6.9; speed_mps += 0.2)
+        fprintf(out, "  standing car, %.1f m/s: %d impacts in %d runs\n", speed_mps,
+                lab_standing(image, speed_mps, 1000).impacts, 1000);
+    for (int speed_mps = 1; speed_mps <= 6; speed_mps++) {
+        struct figures f = lab_standing(image, speed_mps, runs);
+
+        fprintf(out,
+                "  standing car, %d m/s: jerk %.1f (worst %.1f) m/s3, deceleration %.1f m/s2, gap "
+                "%.2f (least %.2f) m\n",
+                speed_mps, f.jerk_mean_mps3, f.jerk_worst_mps3, f.decel_mean_mps2, f.gap_mean_m,
+                f.gap_min_m);
+    }
+    for (int decel_mps2 = 2; decel_mps2 <= 8; decel_mps2++) {
+        struct figures f = lab_lead_brakes(image, decel_mps2, runs);
+
+        fprintf(out,
+                "  both at 10 m/s, the car ahead brakes at %d m/s2: %d impacts in %d runs, least "
+                "gap %.2f m\n",
+                decel_mps2, f.impacts, runs, fmax(f.gap_min_m, 0));
+    }
+    for (int driver_mps2 = 1; driver_mps2 <= 2; driver_mps2++) {
+        struct figures f = lab_stop_and_go(image, driver_mps2, 8);
+
+        fprintf(out,
+                "  stop-and-go, driver of %d m/s2: %.2f m/s2 rms, stuck %.1f s of 120 s, %d "
+                "impacts in 8 runs\n",
+                driver_mps2, f.rms_mps2, f.stuck_worst_s, f.impacts);
+    }
+}
+
+void lab_print(FILE *out, const struct image *images, int count, int runs)
+{
+    for (int i = 0; i < count; i++)
+        print_image(out, &images[i], runs);
+}

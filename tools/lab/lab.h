@@ -1,0 +1,37 @@
+/* What the laboratory asks of a controller: situations, each in many runs with other noise and
+ * another phase of the sensor. */
+#ifndef FUZZY51_LAB_H
+#define FUZZY51_LAB_H
+
+#include <stdio.h>
+
+#include "image.h"
+
+/* Of the runs of one situation. A gap of an impact counts below zero: what a brake of 8 m/s2 would
+ * still have needed, v^2/16. */
+struct figures {
+    int runs, impacts;
+    double gap_min_m, gap_mean_m, gap_short_m; /* short: mean of what is missing to 0.25 m */
+    double jerk_worst_mps3, jerk_mean_mps3, decel_mean_mps2, rms_mps2, stuck_worst_s;
+};
+
+/* A standing car, first seen at 5 m; own driver keeps SPEED_MPS. */
+struct figures lab_standing(const struct image *image, double speed_mps, int runs);
+
+/* Both at 10 m/s and 5 m apart; then the one ahead brakes with DECEL_MPS2. */
+struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int runs);
+
+/* Stop-and-go: the car ahead drives 0-3-0 m/s at 0.5 m/s2, once in 40 s; the driver wants 8 m/s and
+ * accelerates with DRIVER_MPS2. */
+struct figures lab_stop_and_go(const struct image *image, double driver_mps2, int runs);
+
+/* Prints what the controllers come to. */
+void lab_print(FILE *out, const struct image *images, int count, int runs);
+
+/* Looks for a table for IMAGE, which links law_tuned, that is at least as gentle as REFERENCE at
+ * low speeds: ROUNDS steps from START. Writes the best to OUT. Returns EXIT_FINE, or EXIT_INPUT
+ * after a message. */
+int lab_tune(const struct image *image, const struct image *reference, unsigned long seed,
+             long rounds, const char *path);
+
+#endif

@@ -1,0 +1,196 @@
+#include "loop.h"
+
+#include "world.h"
+
+#include "../../firmware/core/range.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of the chip, read off pin traces of s51 at 12 MHz. */
+enum {
+    PERIOD_NS = 10000000, /* of the PWM, which is the tick */
+    JOB_NS = 378000,      /* from the tick to the trigger's rising edge */
+    TRIGGER_NS = 16000,   /* width of the trigger */
+    STOP_NS = 250000,     /* echo's end to the stop line */
+    DUTY_NS = 800000,     /* echo's end to the new duty handed to the PWM */
+    TRIGGER_TICKS = 6,
+};
+#define NEVER INT64_MAX
+
+struct loop {
+    const struct image *image;
+    const struct world_class *class;
+    struct world *world;
+    /* PWM: two interrupts a period, the duty taken in the second */
+    int64_t interrupt_ns;
+    bool is_second;
+    uint8_t duty_pct, next_pct;
+    bool level, stop_level;
+    /* sensor */
+    int64_t rise_ns, stop_ns, duty_ns;
+    bool is_measuring, echo_level, has_risen;
+    bool held;
+    uint8_t until_trigger;
+};
+
+static void set_pin(struct loop *loop, int64_t t_ns, enum board_pin pin, bool *now, bool level)
+{
+    if (*now != level) {
+        *now = level;
+        loop->class->pin_changed(loop->world, t_ns, pin, level);
+    }
+}
+
+/* The timer's interrupt: firmware/mcu/pwm.c. */
+static void interrupt(struct loop *loop)
+{
+    int64_t t_ns = loop->interrupt_ns;
+    bool is_steady = loop->duty_pct == 0 || loop->duty_pct == 100;
+    int64_t first_ns = is_steady ? PERIOD_NS / 2 : (int64_t)loop->duty_pct * (PERIOD_NS / 100);
+
+    if (!loop->is_second) {
+        set_pin(loop, t_ns, PIN_PWM, &loop->level, loop->duty_pct != 0);
+        loop->interrupt_ns += first_ns;
+    } else {
+        set_pin(loop, t_ns, PIN_PWM, &loop->level, loop->duty_pct == 100);
+        loop->interrupt_ns += PERIOD_NS - first_ns;
+        loop->duty_pct = loop->next_pct;
+    }
+    loop->is_second = !loop->is_second;
+}
+
+static void apply(struct loop *loop, int64_t t_ns)
+{
+    set_pin(loop, t_ns, PIN_STOP, &loop->stop_level, loop->image->brake->stop);
+    loop->next_pct = loop->image->brake->brake_pct;
+}
+
+static void control_step(struct loop *loop, int64_t t_ns, uint8_t kind, uint16_t dist_mm)
+{
+    loop->is_measuring = false;
+    loop->image->step(kind, dist_mm, TRIGGER_TICKS);
+    loop->stop_ns = t_ns + STOP_NS;
+    loop->duty_ns = t_ns + DUTY_NS;
+}
+
+static void echo_changed(struct loop *loop, int64_t t_ns, bool level)
+{
+    uint16_t dist_mm;
+    uint8_t kind;
+    int64_t ticks;
+
+    loop->echo_level = level;
+    if (level) {
+        loop->rise_ns = t_ns;
+        loop->has_risen = true;
+        return;
+    }
+    if (!loop->is_measuring || !loop->has_risen)
+        return;
+    ticks = (t_ns - loop->rise_ns) / 1000;
+    dist_mm = loop->image->range_mm((uint16_t)(ticks > UINT16_MAX ? UINT16_MAX : ticks));
+    kind = loop->image->range_kind(dist_mm);
+    control_step(loop, t_ns, kind, kind == RANGE_ECHO ? dist_mm : 0);
+}
+
+/* Every 10 ms. */
+static void tick(struct loop *loop, int64_t t_ns)
+{
+    bool high = true;
+
+    loop->image->tick(loop->held);
+    if (loop->duty_ns == NEVER)
+        apply(loop, t_ns);
+    if (--loop->until_trigger != 0)
+        return;
+    loop->until_trigger = TRIGGER_TICKS;
+    if (loop->is_measuring)
+        control_step(loop, t_ns, loop->has_risen ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN, 0);
+    loop->is_measuring = true;
+    loop->has_risen = loop->echo_level;
+    if (t_ns > 0) { /* the first one begins the scenario */
+        high = false;
+        set_pin(loop, t_ns, PIN_TRIGGER, &high, true);
+    }
+    set_pin(loop, t_ns + TRIGGER_NS, PIN_TRIGGER, &high, false);
+}
+
+/* Lets the inputs change until T_NS. */
+static void take_inputs(struct loop *loop, int64_t t_ns)
+{
+    int64_t at_ns;
+    enum board_pin pin;
+    bool level;
+
+    while (loop->class->next_input(loop->world, t_ns, &at_ns, &pin, &level)) {
+        if (pin == PIN_ECHO)
+            echo_changed(loop, at_ns, level);
+        else
+            loop->held = !level;
+    }
+}
+
+/* Returns when the run was over. */
+static int64_t run_until(struct loop *loop, int64_t end_ns)
+{
+    int64_t job_ns = 0;
+
+    for (;;) {
+        int64_t next_ns = job_ns < loop->interrupt_ns ? job_ns : loop->interrupt_ns, mark_ns;
+
+        take_inputs(loop, next_ns);
+        if (loop->stop_ns < next_ns)
+            next_ns = loop->stop_ns;
+        if (loop->duty_ns < next_ns)
+            next_ns = loop->duty_ns;
+        mark_ns = loop->class->mark_ns(loop->world);
+        if (mark_ns < next_ns)
+            next_ns = mark_ns;
+        if (next_ns >= end_ns)
+            break;
+        loop->class->advance(loop->world, next_ns);
+        if (loop->class->is_over(loop->world)) {
+            end_ns = next_ns;
+            break;
+        }
+        if (next_ns == loop->stop_ns) {
+            if (loop->image->brake->stop)
+                apply(loop, next_ns);
+            loop->stop_ns = NEVER;
+        } else if (next_ns == loop->duty_ns) {
+            apply(loop, next_ns);
+            loop->duty_ns = NEVER;
+        } else if (next_ns == loop->interrupt_ns) {
+            interrupt(loop);
+        } else if (next_ns == job_ns) {
+            tick(loop, next_ns);
+            job_ns += PERIOD_NS;
+        }
+    }
+    loop->class->advance(loop->world, end_ns);
+    return end_ns;
+}
+
+void loop_run(const struct image *image, const struct scenario *scenario, uint64_t seed,
+              int step_us, struct outcome *outcome)
+{
+    static const bool levels[BOARD_OUTPUTS] = {
+        [PIN_TRIGGER] = true, [PIN_LAMP] = true, [PIN_BUZZER] = true};
+    struct loop loop = {.image = image,
+                        .class = &brake_world,
+                        .interrupt_ns = PERIOD_NS - JOB_NS,
+                        .stop_ns = NEVER,
+                        .duty_ns = NEVER,
+                        .until_trigger = 1};
+
+    memset(outcome, 0, sizeof *outcome);
+    outcome->uart = "";
+    image->init(BRAKE_FAULT_NONE);
+    loop.world = loop.class->create(scenario, seed, (int64_t)step_us * 1000);
+    loop.class->start(loop.world, levels);
+    loop.class->pin_changed(loop.world, 0, PIN_TRIGGER, true);
+    loop.class->measure(loop.world, run_until(&loop, (int64_t)llround(scenario->duration_s * 1e9)),
+                        outcome);
+    loop.class->destroy(loop.world);
+}

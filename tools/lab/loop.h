@@ -1,0 +1,16 @@
+/* The closed loop without the simulator: a controller on the host in drive's own world. The
+ * schedule of firmware/apps/brake.c and the latencies of the chip are modelled, the controller and
+ * the world are the real ones; tests/tools/test_lab.sh holds it against s51. */
+#ifndef FUZZY51_LOOP_H
+#define FUZZY51_LOOP_H
+
+#include "expect.h"
+#include "image.h"
+#include "scenario.h"
+
+/* Runs the scenario; OUTCOME gets the world's measures and nothing of telemetry or the warning. The
+ * plant's longest step is STEP_US. */
+void loop_run(const struct image *image, const struct scenario *scenario, uint64_t seed,
+              int step_us, struct outcome *outcome);
+
+#endif

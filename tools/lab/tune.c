@@ -1,0 +1,216 @@
+/* Looks for a better table: a walk that keeps each step that makes things better. */
+#include "lab.h"
+
+#include "diag.h"
+#include "loop.h"
+#include "random.h"
+#include "table.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What may move: where the sets of distance and closing speed reach 1, and where the four brakes
+ * stand. Their number, order and rules are those of brake.fis. */
+enum {
+    NEAR,
+    FAIRLY_NEAR,
+    NEAR_M,
+    NORMAL,
+    SMALL,
+    MEDIUM,
+    LARGE,
+    FAIRLY_SMALL,
+    MODERATE,
+    FAIRLY_LARGE,
+    PARAMETERS
+};
+
+static const struct {
+    double start, low, high, step, grid;
+} parameter[PARAMETERS] = {
+    [NEAR] = {1.5, 1, 5.5, 0.3, 0.05},   [FAIRLY_NEAR] = {2.2, 1, 5.5, 0.4, 0.05},
+    [NEAR_M] = {3.2, 1, 5.5, 0.4, 0.05}, [NORMAL] = {5, 1, 5.5, 0.3, 0.05},
+    [SMALL] = {2, 1, 6.9, 0.4, 0.05},    [MEDIUM] = {3.5, 1, 6.9, 0.4, 0.05},
+    [LARGE] = {6, 1, 6.9, 0.4, 0.05},    [FAIRLY_SMALL] = {0, 0, 10, 2, 1},
+    [MODERATE] = {30, 0, 97, 8, 1},      [FAIRLY_LARGE] = {65, 0, 97, 8, 1},
+};
+
+static void write_fis(FILE *out, const double *p)
+{
+    fprintf(out,
+            "[System]\nName='brake_tuned'\nType='mamdani'\nVersion=2.0\nNumInputs=2\nNumOutputs=1\n"
+            "NumRules=16\nAndMethod='prod'\nOrMethod='max'\nImpMethod='prod'\nAggMethod='max'\n"
+            "DefuzzMethod='centroid'\n\n");
+    fprintf(
+        out,
+        "%% distance to the car in front, m\n[Input1]\nName='distance_m'\nRange=[1 5]\nNumMFs=4\n"
+        "MF1='very_near':'trapmf',[-1 0 %g %g]\nMF2='fairly_near':'trimf',[%g %g %g]\n"
+        "MF3='near':'trimf',[%g %g %g]\nMF4='normal':'trapmf',[%g %g 6 7]\n\n",
+        p[NEAR], p[FAIRLY_NEAR], p[NEAR], p[FAIRLY_NEAR], p[NEAR_M], p[FAIRLY_NEAR], p[NEAR_M],
+        p[NORMAL], p[NEAR_M], p[NORMAL]);
+    fprintf(out,
+            "%% closing speed, m/s\n[Input2]\nName='closing_mps'\nRange=[0 7]\nNumMFs=4\n"
+            "MF1='very_small':'trimf',[0 0 %g]\nMF2='small':'trimf',[0 %g %g]\n"
+            "MF3='medium':'trimf',[%g %g %g]\nMF4='large':'trapmf',[%g %g 8 9]\n\n",
+            p[SMALL], p[SMALL], p[MEDIUM], p[SMALL], p[MEDIUM], p[LARGE], p[MEDIUM], p[LARGE]);
+    fprintf(out,
+            "%% brake force, percent\n[Output1]\nName='brake_pct'\nRange=[0 100]\nNumMFs=4\n"
+            "MF1='fairly_small':'trimf',[%g %g %g]\nMF2='moderate':'trimf',[%g %g %g]\n"
+            "MF3='fairly_large':'trimf',[%g %g %g]\nMF4='very_large':'trimf',[99 100 101]\n\n",
+            p[FAIRLY_SMALL] - 1, p[FAIRLY_SMALL], p[FAIRLY_SMALL] + 1, p[MODERATE] - 1, p[MODERATE],
+            p[MODERATE] + 1, p[FAIRLY_LARGE] - 1, p[FAIRLY_LARGE], p[FAIRLY_LARGE] + 1);
+    fprintf(out, "%% distance, closing speed, brake\n[Rules]\n");
+    for (int speed = 1; speed <= 4; speed++)
+        for (int distance = 1; distance <= 4; distance++)
+            fprintf(out, "%d %d, %d (1) : 1\n", distance, speed,
+                    speed - distance >= 0 ? 4 : 4 + speed - distance);
+}
+
+/* Puts the table of these parameters into the image. Returns how many neighbours are in the wrong
+ * order, or -1 when it is no table. */
+static int put_table(const struct image *image, const double *p)
+{
+    static char text[4000];
+    FILE *stream = fmemopen(text, sizeof text, "w");
+    const struct table_options options = {.infer = {.samples = INFER_SAMPLES}, .levels = 100};
+    struct table table;
+    struct fis fis;
+    int wrong = 0;
+
+    if (stream == NULL)
+        return -1;
+    write_fis(stream, p);
+    fclose(stream);
+    if (fis_parse("tuned", text, strlen(text), &fis) != EXIT_FINE)
+        return -1;
+    if (table_make(&fis, &options, &table) != EXIT_FINE) {
+        fis_free(&fis);
+        return -1;
+    }
+    for (int row = 0; row < IMAGE_CELLS; row++)
+        for (int col = 0; col < IMAGE_CELLS; col++) {
+            int cell = table.cell[0][row * IMAGE_CELLS + col];
+
+            image->cells[row][col] = (uint8_t)cell;
+            wrong += row > 0 && image->cells[row - 1][col] < cell;
+            wrong += col > 0 && image->cells[row][col - 1] > cell;
+        }
+    table_free(&table);
+    fis_free(&fis);
+    return wrong;
+}
+
+/* --- what is bad about a table -----------------------------------------------------------------
+ */
+
+enum { GENTLE_SPEEDS = 6 };                  /* 1, 1.5 ... 3.5 m/s */
+static struct figures gentle[GENTLE_SPEEDS]; /* of the reference */
+
+static double low_mps(int k)
+{
+    return 1 + 0.5 * k;
+}
+
+/* Impacts near the limit, and hard braking at 4 m/s, where 25 m/s3 is the most. */
+static double cost_of_standing(const struct image *image)
+{
+    struct figures four = lab_standing(image, 4, 120);
+    double cost = 12 * lab_standing(image, 6.4, 120).gap_short_m +
+                  4 * lab_standing(image, 6.6, 120).gap_short_m +
+                  2 * lab_standing(image, 6.8, 120).gap_short_m;
+
+    return cost + 0.5 * fmax(four.jerk_worst_mps3 - 24, 0) + 0.02 * four.jerk_mean_mps3;
+}
+
+/* Braking harder than the reference at low speed, stopping on the stop line, stopping far away. */
+static double cost_of_comfort(const struct image *image)
+{
+    double cost = 0;
+
+    for (int k = 0; k < 10; k++) {
+        struct figures f = lab_standing(image, low_mps(k), 24);
+
+        cost += 8 * fmax(1.12 - f.gap_min_m, 0) + 0.05 * fmax(f.gap_mean_m - 2, 0);
+        if (k < GENTLE_SPEEDS)
+            cost += 0.03 * fmax(f.jerk_mean_mps3 - gentle[k].jerk_mean_mps3, 0) +
+                    0.3 * fmax(f.decel_mean_mps2 - gentle[k].decel_mean_mps2, 0) +
+                    0.01 * f.decel_mean_mps2;
+    }
+    return cost;
+}
+
+static double cost_of_leads(const struct image *image)
+{
+    return 4 * fmax(1 - lab_lead_brakes(image, 4, 24).gap_min_m, 0) +
+           4 * fmax(0.6 - lab_lead_brakes(image, 5, 24).gap_min_m, 0) +
+           0.6 * fmax(0.3 - lab_lead_brakes(image, 6, 24).gap_min_m, 0) +
+           0.2 * fmax(0.3 - lab_lead_brakes(image, 7, 24).gap_min_m, 0);
+}
+
+static double cost_of_following(const struct image *image)
+{
+    struct figures f = lab_stop_and_go(image, 1, 2);
+
+    return 3 * f.rms_mps2 + 0.1 * fmax(f.stuck_worst_s - 4, 0) + 5 * f.impacts;
+}
+
+static double cost_of(const struct image *image, const double *p)
+{
+    int wrong = put_table(image, p);
+
+    if (wrong < 0)
+        return INFINITY;
+    return 0.003 * wrong + cost_of_standing(image) + cost_of_comfort(image) + cost_of_leads(image) +
+           cost_of_following(image);
+}
+
+/* --- the walk ------------------------------------------------------------------------------------
+ */
+
+/* Onto the grid, within the limits, and the sets of each variable in their order. */
+static void tidy(double *p)
+{
+    for (int i = 0; i < PARAMETERS; i++) {
+        double low = parameter[i].low;
+
+        if (i != NEAR && i != SMALL && i != FAIRLY_SMALL)
+            low = fmax(low, p[i - 1] + (i > LARGE ? 3 : 0.3));
+        p[i] = fmin(fmax(p[i], low), parameter[i].high);
+        p[i] = round(p[i] / parameter[i].grid) * parameter[i].grid;
+    }
+}
+
+int lab_tune(const struct image *image, const struct image *reference, unsigned long seed,
+             long rounds, const char *path)
+{
+    struct random random;
+    double best[PARAMETERS], trial[PARAMETERS], best_cost, reach = 1;
+    struct outfile out;
+
+    random_seed(&random, seed);
+    for (int k = 0; k < GENTLE_SPEEDS; k++)
+        gentle[k] = lab_standing(reference, low_mps(k), 24);
+    for (int i = 0; i < PARAMETERS; i++)
+        best[i] = parameter[i].start;
+    best_cost = cost_of(image, best);
+    for (long round = 1; round <= rounds; round++) {
+        double cost;
+
+        memcpy(trial, best, sizeof trial);
+        for (int i = 0; i < PARAMETERS; i++)
+            if (random_uniform(&random) < 0.4)
+                trial[i] += random_normal(&random) * parameter[i].step * reach;
+        tidy(trial);
+        cost = cost_of(image, trial);
+        reach = cost < best_cost ? fmin(reach * 1.3, 1.2) : fmax(reach * 0.985, 0.15);
+        if (cost < best_cost) {
+            best_cost = cost;
+            memcpy(best, trial, sizeof best);
+            fprintf(stderr, "%ld: %.4f\n", round, cost);
+        }
+    }
+    if (outfile_open(&out, path) != EXIT_FINE)
+        return EXIT_INPUT;
+    write_fis(out.stream, best);
+    return outfile_commit(&out);
+}
