@@ -68,9 +68,21 @@ function series(text, key, list,    at, rest, from) {
     return split(substr(rest, from + 1, index(rest, "]") - from - 1), list, ",")
 }
 
+# What a figure's axis must reach, and the distance of its tics: four or so, at round numbers.
+function note_range(key, value) {
+    if (!(key in least_value) || value < least_value[key]) least_value[key] = value
+    if (!(key in most_value) || value > most_value[key]) most_value[key] = value
+}
+function tic_step(low, high,    power, part) {
+    if (high <= low) return 1
+    power = 10 ^ int(log((high - low) / 4) / log(10) + 100 - 1e-9) / 10 ^ 100
+    part = (high - low) / 4 / power
+    return power * (part <= 1.01 ? 1 : part <= 2.01 ? 2 : part <= 5.01 ? 5 : 10)
+}
+
 # Thins a run's series to about `rows` moments, keeping each change of a word and the last moment.
 # Returns them as JSON, and writes them as CSV for gnuplot.
-function trace(text, name, rows,    at, out, count, step, k, c, list, kept, json, value, have, head, keep, cells) {
+function trace(text, name, scenario, rows,    at, out, count, step, k, c, list, kept, json, value, have, head, keep, cells) {
     at = index(text, "\"series\"")
     if (!at) return ""
     text = substr(text, at)
@@ -104,7 +116,10 @@ function trace(text, name, rows,    at, out, count, step, k, c, list, kept, json
             if (kind_of[c] == "words") {
                 if (!((c, value) in word_number)) { word_number[c, value] = word_count[c]++; word_list[c] = word_list[c] (word_count[c] > 1 ? "," : "") value }
                 value = word_number[c, value]
-            } else if (value != "null") value = plain(value, digits_of[c])
+            } else if (value != "null") {
+                value = plain(value, digits_of[c])
+                note_range(scenario SUBSEP column[c], value + 0)
+            }
             json_of[c] = json_of[c] (kept > 1 ? "," : "") value
         }
         print "" >out
@@ -223,7 +238,7 @@ $1 == id {
     run_json = run_json "}"
     if (!g || listed[g]) {
         run_json = run_json ",\"expect\":[" outcomes(result) "]"
-        thin = trace(result, id "." $2 "." name, 120)
+        thin = trace(result, id "." $2 "." name, name, 120)
         if (thin != "") { run_json = run_json ",\"trace\":" thin; traced[name] = traced[name] " " $2 }
     }
     say(run_json "}")
@@ -274,11 +289,12 @@ function groups_json(    list, members, g, s) {
 }
 
 # The trace figures: one a scenario, of all controllers that ran it.
-function draw_traces(    k, s, panels, labels, names, references, lows, highs, files, colours) {
+function draw_traces(    k, s, panels, labels, names, references, lows, highs, steps, key, files, colours) {
     for (k = 1; k <= entries["panel"]; k++) {
         parts(entry["panel", k], part)
         labels = labels " \"" part[1] "\""
         names = names " " part[2]
+        shown[k] = part[2]; low_of[k] = part[4]; high_of[k] = part[5]
         references = references " " (part[3] == "" ? "-" : part[3])
         lows = lows " " (part[4] == "" ? "*" : part[4])
         highs = highs " " (part[5] == "" ? "*" : part[5])
@@ -286,13 +302,17 @@ function draw_traces(    k, s, panels, labels, names, references, lows, highs, f
     panels = word("columns=" names) word("labels=" labels) word("references=" references) word("lows=" lows) word("highs=" highs)
     for (s = 1; s <= scenarios; s++) {
         if (traced[order[s]] == "") continue
-        files = colours = ""
+        files = colours = steps = ""
         for (k = 1; k <= images; k++) {
             if (!index(traced[order[s]] " ", " " image[k] " ")) continue
             files = files " " work "/traces/" id "." image[k] "." order[s] ".csv"
             colours = colours " " colour[k]
         }
-        draw(id "-trace-" order[s], "trace.gp", "files=" substr(files, 2), "colours=" substr(colours, 2), panels)
+        for (k = 1; k <= entries["panel"]; k++) {
+            key = order[s] SUBSEP shown[k]
+            steps = steps " " tic_step(low_of[k] == "" ? least_value[key] : low_of[k], high_of[k] == "" ? most_value[key] : high_of[k])
+        }
+        draw(id "-trace-" order[s], "trace.gp", "files=" substr(files, 2), "colours=" substr(colours, 2), panels word("steps=" steps))
     }
 }
 

@@ -23,7 +23,10 @@ function momentOf(tab, trace, t_s) {
         if (!values) continue;
         const a = values[k], b = values[next];
         if (column.words) at[column.key] = a == null ? null : column.words[a];
-        else at[column.key] = !column.steps && a != null && b != null ? a + (b - a) * part : a;
+        else {
+            const turned = column.unit === "°" && Math.abs(b - a) > 180; /* from 180 to -180 */
+            at[column.key] = !column.steps && !turned && a != null && b != null ? a + (b - a) * part : a;
+        }
     }
     at.t_s = t_s;
     return at;

@@ -138,14 +138,17 @@ function sceneYard(view, runs) {
     const box = (x, y, angle, from, to, half, style) =>
         `<polygon points="${[[from, -half], [to, -half], [to, half], [from, half]].map(([along, across]) => turned(x, y, angle, along, across)).join(" ")}" ${style}/>`;
     let svg = `<rect width="${view.width}" height="${height}" fill="var(--road)"/>`;
-    for (let m = Math.ceil(left / 5) * 5; m <= right; m += 5) svg += `<path d="M ${px(m, low)} L ${px(m, high)}" stroke="var(--mark)" opacity="0.12"/>`;
-    for (let m = Math.ceil(low / 5) * 5; m <= high; m += 5) svg += `<path d="M ${px(left, m)} L ${px(right, m)}" stroke="var(--mark)" opacity="0.12"/>`;
+    /* A line every 5 m, over the whole picture, whatever its shape. */
+    const wide = view.width / scale, from = Math.floor((left - wide) / 5) * 5;
+    for (let m = from; m <= right + wide; m += 5) svg += `<path d="M ${px(m, low)} L ${px(m, high)}" stroke="var(--mark)" opacity="0.12"/>`;
+    for (let m = Math.ceil(low / 5) * 5; m <= high; m += 5) svg += `<path d="M ${px(left - wide, m)} L ${px(right + wide, m)}" stroke="var(--mark)" opacity="0.12"/>`;
     svg += box(0, 0, Math.PI / 2, -0.35 * length, 1.35 * length, 0.42 * length, 'fill="none" stroke="var(--mark)" stroke-width="2" stroke-dasharray="6 4"');
     for (const run of runs) {
         const { x_m: x, y_m: y, heading_deg: heading, steer_deg: steer } = run.at, angle = heading * Math.PI / 180;
         const points = run.trace.x_m.map((value, k) => px(value, run.trace.y_m[k])), until = indexAt(run.trace.t, run.at.t_s) + 1;
-        svg += `<polyline points="${points.join(" ")}" fill="none" stroke="${run.colour}" stroke-width="1.5" opacity="0.35" stroke-dasharray="3 4"/>` +
-            `<polyline points="${[...points.slice(0, until), px(x, y)].join(" ")}" fill="none" stroke="${run.colour}" stroke-width="2.2"/>` +
+        svg += `<polyline points="${points.join(" ")}" fill="none" stroke="#fff" stroke-width="1.5" opacity="0.5" stroke-dasharray="3 4"/>` +
+            `<polyline points="${[...points.slice(0, until), px(x, y)].join(" ")}" fill="none" stroke="#fff" stroke-width="4.5" opacity="0.35"/>` +
+            `<polyline points="${[...points.slice(0, until), px(x, y)].join(" ")}" fill="none" stroke="${run.colour}" stroke-width="2.5"/>` +
             box(x, y, angle, -0.22 * length, 1.22 * length, 0.24 * length, `fill="${run.colour}" fill-opacity="0.75" stroke="#fff" stroke-width="1.2"`) +
             box(x, y, angle, 0.72 * length, 0.9 * length, 0.2 * length, 'fill="rgb(10 20 30 / 55%)"');
         for (const side of [-0.2, 0.2]) {
