@@ -344,9 +344,12 @@ build/lut/$(1)/host: tests/lut/host.c firmware/core/lut.c build/lut/$(1)/lut_tab
 endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 
+# The sister controllers' scenarios run on the default board only.
+SISTER_LOOPS := $(wildcard $(addprefix tests/loop/,radar gap follow park))
 TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
     $(wildcard tests/chip/test_*.sh) $(patsubst %,'tests/run_loop.sh %',$(or $(BOARD),$(BOARDS))) \
-    $(foreach law,$(LAWS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),stc89c516rd) tests/loop/$(law)')
+    $(foreach law,$(LAWS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),stc89c516rd) tests/loop/$(law)') \
+    $(patsubst %,'tests/run_loop.sh stc89c516rd %',$(if $(filter-out stc89c516rd,$(BOARD)),,$(SISTER_LOOPS)))
 
 .PHONY: run-test
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)

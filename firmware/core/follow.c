@@ -112,7 +112,10 @@ void follow_decide(void)
     follow.state = FOLLOW_CONTROL;
     follow.stop = false;
     follow_look_up();
-    follow.asks_for_lane = follow.change_x2 == 2;
+    /* Not as `= change_x2 == 2`: SDCC 4.2.0 loses the store of that one (small model). */
+    follow.asks_for_lane = false;
+    if (follow.change_x2 == 2)
+        follow.asks_for_lane = true;
 #if FOLLOW_YIELDS
     if (follow.change_x2 != 0 && follow.lane_is_taken)
         follow.command_x2 = -2;

@@ -179,7 +179,9 @@ void gap_decide(void)
     gap.stop = false;
     gap.lead = lead_state();
     gap.safe_cm = gap_safe_cm();
-    accel_cmps2 = (int16_t)(gap_lq_cmps2() + gap_fuzzy_cmps2());
+    accel_cmps2 = 0;
+    if (gap.gap_cm != GAP_MAX_CM)
+        accel_cmps2 = (int16_t)(gap_lq_cmps2() + gap_fuzzy_cmps2());
     /* Half of it, towards 0. */
     if (accel_cmps2 < 0)
         accel_cmps2++;

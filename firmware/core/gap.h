@@ -22,7 +22,7 @@
 /* Payload of FRAME_GAP: gap (u16, cm), own speed (u16, cm/s), lead's speed (u16, cm/s), lead's
  * acceleration (i16, cm/s2). */
 #define GAP_PAYLOAD_BYTES  8
-#define GAP_MAX_CM         25000U
+#define GAP_MAX_CM         25000U /* and more, or no car ahead: neither brake nor throttle */
 #define GAP_SPEED_MAX_CMPS 5000U
 #define GAP_LEAD_MAX_CMPS2 1500 /* to both sides */
 

@@ -165,9 +165,17 @@ static void test_no_room_never_accelerates_and_much_room_never_brakes(void)
     for (own_cmps = 0; own_cmps <= 5000; own_cmps += 250) {
         situation(100, own_cmps, own_cmps, 0);
         TEST_ASSERT_LESS_THAN_INT16(0, gap.accel_cmps2);
-        situation(25000, own_cmps, own_cmps, 0);
+        situation(24999, own_cmps, own_cmps, 0);
         TEST_ASSERT_GREATER_THAN_INT16(0, gap.accel_cmps2);
     }
+}
+
+static void test_nobody_ahead_leaves_brake_and_throttle_alone(void)
+{
+    situation(GAP_MAX_CM, 3000, 0, 0);
+    TEST_ASSERT_EQUAL_INT16(0, gap.accel_cmps2);
+    TEST_ASSERT_EQUAL_UINT8(0, gap.brake_pct);
+    TEST_ASSERT_EQUAL_UINT16(GAP_THROTTLE_CLOSED_US, gap.throttle_us);
 }
 
 static void payload(uint16_t gap_cm, uint16_t own_cmps, uint16_t lead_cmps, int16_t lead_cmps2)
@@ -561,6 +569,7 @@ int main(void)
     RUN_TEST(test_outputs_are_the_acceleration_to_half_a_percent);
     RUN_TEST(test_brake_holds_through_the_last_creep);
     RUN_TEST(test_no_room_never_accelerates_and_much_room_never_brakes);
+    RUN_TEST(test_nobody_ahead_leaves_brake_and_throttle_alone);
     RUN_TEST(test_payload_out_of_range_is_refused_and_changes_nothing);
     RUN_TEST(test_car_waits_braked_and_a_lost_link_brakes);
     RUN_TEST(test_lost_link_never_lowers_the_brake);

@@ -16,7 +16,9 @@ static double seconds(int64_t t_ns)
 
 static double demand_pct(const struct rig *rig)
 {
-    return rig->levels[PIN_STOP] ? 100 : rig->pwm.duty_pct;
+    double brake_pct = rig->levels[PIN_STOP] ? 100 : rig->pwm.duty_pct;
+
+    return brake_pct > 0 ? brake_pct : -rig->throttle_pct;
 }
 
 static void note_release(struct rig *rig, double demand)
@@ -37,7 +39,7 @@ static void note_demand(struct rig *rig)
 
     rig->max_brake_pct = fmax(rig->max_brake_pct, demand);
     if (rig->now_ns >= rig->event_ns) {
-        rig->min_brake_pct = fmin(rig->min_brake_pct, demand);
+        rig->min_brake_pct = fmin(rig->min_brake_pct, fmax(demand, 0));
         if (demand >= 100 && isinf(rig->full_brake_s))
             rig->full_brake_s = t_s;
     }
@@ -63,6 +65,13 @@ static void update_demand(struct rig *rig)
         car_demand(&rig->car, rig->now_ns, demand);
         note_demand(rig);
     }
+}
+
+void rig_throttle(struct rig *rig, double throttle_pct)
+{
+    rig->throttle_pct = throttle_pct;
+    if (rig->started)
+        update_demand(rig);
 }
 
 void rig_blind(struct rig *rig, bool blind)
@@ -115,12 +124,25 @@ static void stop_line_changes(struct rig *rig, bool level)
     update_demand(rig);
 }
 
+/* While the world stands, so that it starts at the duty that the controller has set by then. */
+static void read_duty_early(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level)
+{
+    if (pwm_steady_ns(&rig->pwm) <= t_ns)
+        pwm_settle(&rig->pwm);
+    if (pin != PIN_PWM)
+        return;
+    pwm_edge(&rig->pwm, t_ns, level);
+    rig->has_duty = true;
+}
+
 void rig_pin(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level)
 {
     rig_advance(rig, t_ns);
     rig->levels[pin] = level;
-    if (!rig->started)
+    if (!rig->started) {
+        read_duty_early(rig, t_ns, pin, level);
         return;
+    }
     switch (pin) {
     case PIN_PWM:
         if (pwm_edge(&rig->pwm, rig->now_ns, level))
@@ -145,6 +167,7 @@ void rig_init(struct rig *rig, const struct scenario *scenario, int64_t step_ns)
 {
     memset(rig, 0, sizeof *rig);
     car_init(&rig->car, scenario, step_ns);
+    pwm_init(&rig->pwm, 0, true);
     rig->event_s = scenario->event_s;
     rig->event_ns = (int64_t)llround(scenario->event_s * 1e9);
     rig->hold_s = scenario->hold_s;
@@ -156,9 +179,14 @@ void rig_init(struct rig *rig, const struct scenario *scenario, int64_t step_ns)
 
 void rig_start(struct rig *rig, const bool levels[BOARD_OUTPUTS])
 {
+    double duty_pct;
+
     memcpy(rig->levels, levels, sizeof rig->levels);
     rig->started = true;
+    duty_pct = rig->pwm.duty_pct;
     pwm_init(&rig->pwm, 0, levels[PIN_PWM]);
+    if (rig->has_duty)
+        rig->pwm.duty_pct = duty_pct;
     car_demand(&rig->car, 0, demand_pct(rig));
     rig->counted_duty_pct = rig->car.demand_pct;
     note_demand(rig);
@@ -188,7 +216,7 @@ void rig_values(const struct rig *rig, double *row)
     row[1] = rig->car.v_mps;
     row[2] = isinf(gap) ? NAN : car_lead_mps(&rig->car);
     row[3] = rig->car.accel_mps2;
-    row[4] = rig->car.demand_pct;
+    row[4] = fmax(rig->car.demand_pct, 0);
     row[5] = rig->levels[PIN_STOP];
     row[6] = !rig->levels[PIN_LAMP];
     row[7] = !rig->levels[PIN_BUZZER];
@@ -217,8 +245,9 @@ void rig_measure(const struct rig *rig, int64_t t_ns, struct outcome *outcome)
     value[METRIC_RMS_ACCEL] = sqrt(record->square_mps3 / t_s);
     value[METRIC_STUCK] = record->stuck_s;
     value[METRIC_MAX_BRAKE] = rig->max_brake_pct;
-    value[METRIC_MIN_BRAKE] = fmin(rig->min_brake_pct, rig->car.demand_pct);
-    value[METRIC_FINAL_BRAKE] = rig->car.demand_pct;
+    value[METRIC_MIN_BRAKE] = fmin(rig->min_brake_pct, fmax(rig->car.demand_pct, 0));
+    value[METRIC_FINAL_BRAKE] = fmax(rig->car.demand_pct, 0);
+    value[METRIC_FINAL_GAP] = car_gap_m(&rig->car);
     value[METRIC_FULL_BRAKE_WITHIN] = rig->full_brake_s - since_s;
     value[METRIC_BLIND_FALL] = rig->blind_fall_pct;
     value[METRIC_DUTY_STEPS] = rig->duty_steps / t_s;

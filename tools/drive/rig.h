@@ -17,6 +17,8 @@ struct rig {
     struct pwm pwm;
     bool levels[BOARD_OUTPUTS];
     bool started;
+    bool has_duty; /* the PWM was read before the start */
+    double throttle_pct;    /* where the controller has it; 0 otherwise */
     bool blind;             /* readings are missing: the demand must not fall below seen_pct */
     double event_s, hold_s; /* as in the scenario */
     int64_t now_ns, event_ns;
@@ -48,6 +50,9 @@ void rig_advance(struct rig *rig, int64_t t_ns);
 /* An output pin goes to LEVEL at T_NS; advances to there. Pins that are no part of a rig are only
  * noted. */
 void rig_pin(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level);
+
+/* The controller's throttle is open so far: the same as a brake of less than 0, unless that is on. */
+void rig_throttle(struct rig *rig, double throttle_pct);
 
 /* From now on readings are missing, or no longer. */
 void rig_blind(struct rig *rig, bool blind);

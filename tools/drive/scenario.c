@@ -102,6 +102,7 @@ static const struct key keys[] = {
     {"park", "speed_mps", VALUE_NUMBER, AT(park.speed_mps), 0.1, 10, NULL, 0, false},
     {"park", "length_m", VALUE_NUMBER, AT(park.length_m), 1, 10, NULL, 0, false},
     {"park", "steer_deg", VALUE_NUMBER, AT(park.steer_deg), 1, 80, NULL, 0, false},
+    {"lane", "lead_mps", VALUE_NUMBER, AT(lane.lead_mps), 0, 2, NULL, 0, true},
     {"head", "warm_up", VALUE_NUMBER, AT(head.warm_up), 0, 100, NULL, 0, false},
     {"head", "delay_ms", VALUE_NUMBER, AT(head.delay_ms), 0.5, 80, NULL, 0, false},
     {"frame", "kind", VALUE_CHOICE, IN_FRAME(kind), 0, 0,
@@ -126,7 +127,7 @@ static const struct {
     {"brake", "ego lead sensor fault override uart"},
     {"radar", "ego lead road front head frame"},
     {"gap", "ego lead head frame"},
-    {"follow", "ego lead head frame"},
+    {"follow", "ego lead lane head frame"},
     {"park", "park head frame"},
 };
 static const char *const needed = "scenario ego park";
@@ -581,6 +582,7 @@ static void set_defaults(struct scenario *scenario, const char *file)
     scenario->sensor = (struct sensor){
         .temp_c = 20, .min_m = 0.02, .max_m = 5, .delay_us = 450, .no_echo_us = 38000};
     scenario->road.lane_m = 3.75;
+    scenario->lane.lead_mps = SCENARIO_UNSET;
     scenario->front.max_m = 300;
     scenario->park = (struct parking){.speed_mps = 5, .length_m = 4, .steer_deg = 45};
     for (int i = 0; i < SCENARIO_FAULTS; i++) {

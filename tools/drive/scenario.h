@@ -145,6 +145,9 @@ struct scenario {
     struct parking park;
     struct fault faults[SCENARIO_FAULTS];
     struct {
+        double lead_mps; /* of the robot in the other lane; unset: that lane is taken */
+    } lane;
+    struct {
         double warm_up;  /* frames answered before t = 0, so that the link is up by then */
         double delay_ms; /* from a trigger to the answer */
     } head;

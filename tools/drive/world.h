@@ -80,7 +80,7 @@ struct world_class {
     void (*measure)(const struct world *world, int64_t t_ns, struct outcome *outcome);
 };
 
-extern const struct world_class brake_world, radar_world, park_world;
+extern const struct world_class brake_world, radar_world, gap_world, follow_world, park_world;
 
 /* The world that a scenario's app belongs to. */
 const struct world_class *world_class(enum world_kind kind);

@@ -1,0 +1,377 @@
+/* The follower's world: a robot behind another one, and a lane beside them. Robots move in steps of
+ * 0.1 s, each begun by the controller's trigger: what its pins say when the next one comes is the
+ * acceleration of the step between. */
+#include "world.h"
+
+#include "car.h"
+#include "head.h"
+#include "pace.h"
+#include "pwm.h"
+#include "robots.h"
+#include "servo.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The frames of firmware/core/frame.h and follow.h: lengths in mm, speeds in mm/s. */
+enum { KIND = 3, PAYLOAD_BYTES = 7, GAP_MAX_MM = 20000, SPEED_MAX_MMPS = 2500 };
+
+static const double throttle_closed_us = 1000, throttle_full_us = 2000;
+
+struct world {
+    struct robots robots;
+    struct lead lead;
+    struct head head;
+    struct pace pace;
+    struct pwm pwm;
+    struct servo servo;
+    bool levels[BOARD_OUTPUTS];
+    bool started, stepping; /* stepping: the first trigger of the scenario is over */
+    int64_t now_ns, event_ns;
+    double event_s, hold_s;
+    double accel_mmps2; /* of the last step */
+    /* what is measured */
+    double max_brake_pct, min_brake_pct, counted_pct, duty_steps, stop_toggles;
+    double asked_s, changed_s, first_fault_s, warnings, impact_mps, rest_s;
+    double seen_pct, blind_fall_pct, blind_asks; /* on bad frames; seen_pct: before them */
+};
+
+static const struct world_column columns[] = {
+    {"gap_m", 3},        {"ego_mps", 3}, {"lead_mps", 3}, {"accel_mps2", 2}, {"brake_pct", 1},
+    {"throttle_pct", 1}, {"stop", 0},    {"lamp", 0},     {"asks_lane", 0},  {"lane", 0},
+};
+
+static const char *const reported[] = {"command", "change"};
+
+static double seconds(int64_t t_ns)
+{
+    return (double)t_ns * 1e-9;
+}
+
+/* --- actuators ---------------------------------------------------------------------------- */
+
+static double brake_pct(const struct world *world)
+{
+    return world->levels[PIN_STOP] ? 100 : world->pwm.duty_pct;
+}
+
+/* Without pulses it is closed. */
+static double throttle_pct(const struct world *world)
+{
+    double part =
+        (world->servo.pulse_us - throttle_closed_us) / (throttle_full_us - throttle_closed_us);
+
+    return fmin(fmax(part, 0), 1) * 100;
+}
+
+static bool asks_for_lane(const struct world *world)
+{
+    return !world->levels[PIN_LANE];
+}
+
+/* The controller cannot know more than before. */
+static bool is_blind(const struct world *world)
+{
+    return head_blind_ns(&world->head) <= world->now_ns;
+}
+
+static void note_demand(struct world *world)
+{
+    double brake = brake_pct(world);
+    double demand = brake > 0 ? brake : -throttle_pct(world);
+
+    if (is_blind(world))
+        world->blind_fall_pct = fmax(world->blind_fall_pct, world->seen_pct - demand);
+    else
+        world->seen_pct = demand;
+    world->max_brake_pct = fmax(world->max_brake_pct, brake);
+    if (world->now_ns >= world->event_ns)
+        world->min_brake_pct = fmin(world->min_brake_pct, brake);
+    if (fabs(demand - world->counted_pct) > 2) {
+        world->counted_pct = demand;
+        world->duty_steps++;
+    }
+}
+
+/* --- time --------------------------------------------------------------------------------- */
+
+static void advance(struct world *world, int64_t t_ns)
+{
+    while (world->now_ns < t_ns) {
+        int64_t steady = pwm_steady_ns(&world->pwm);
+
+        world->now_ns = steady < t_ns ? steady : t_ns;
+        if (world->now_ns == steady)
+            pwm_settle(&world->pwm);
+        note_demand(world);
+    }
+}
+
+static void measure_payload(const struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
+{
+    int gap_mm = robots_gap_mm(&world->robots);
+
+    head_put_16(payload, gap_mm < GAP_MAX_MM ? gap_mm : GAP_MAX_MM);
+    head_put_16(payload + 2, world->robots.own_mmps);
+    head_put_16(payload + 4, world->robots.lead_mmps);
+    payload[6] = !world->robots.lane_is_free;
+}
+
+static void set_lead(struct world *world)
+{
+    double speed_mps;
+
+    if (world->robots.changed_step >= 0)
+        return;
+    car_lead_path_m(&world->lead, world->robots.step * ROBOTS_STEP_MS / 1000.0, &speed_mps);
+    world->robots.lead_mmps = (int)lround(speed_mps * 1000);
+}
+
+static void step(struct world *world)
+{
+    double brake = brake_pct(world);
+    bool was_changed = world->robots.changed_step >= 0;
+
+    if (world->robots.collided)
+        return;
+    world->accel_mmps2 = (brake > 0 ? -brake : throttle_pct(world)) / 100 * ROBOTS_ACCEL_MAX_MMPS2;
+    robots_step(&world->robots, world->accel_mmps2, asks_for_lane(world));
+    if (world->robots.collided)
+        world->impact_mps = (world->robots.own_mmps - world->robots.lead_mmps) / 1000.0;
+    if (world->robots.changed_step >= 0 && !was_changed)
+        world->changed_s = seconds(world->now_ns);
+    set_lead(world);
+    if (world->robots.own_mmps > 0 || world->robots.lead_mmps > 0)
+        world->rest_s = INFINITY;
+    else if (isinf(world->rest_s))
+        world->rest_s = seconds(world->now_ns);
+}
+
+/* --- pins --------------------------------------------------------------------------------- */
+
+static void trigger_ends(struct world *world)
+{
+    uint8_t payload[HEAD_PAYLOAD_MAX];
+
+    if (world->stepping)
+        step(world);
+    world->stepping = world->started;
+    pace_note(&world->pace, world->now_ns);
+    measure_payload(world, payload);
+    head_measured(&world->head, world->now_ns, payload);
+}
+
+static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
+{
+    if (!world->started) { /* the head answers a trigger, nothing moves */
+        world->now_ns = t_ns;
+        if (pin == PIN_TRIGGER && head_trigger(&world->head, t_ns, level))
+            trigger_ends(world);
+        if (pin == PIN_SERVO)
+            servo_edge(&world->servo, t_ns, level);
+        return;
+    }
+    advance(world, t_ns);
+    world->levels[pin] = level;
+    switch (pin) {
+    case PIN_PWM:
+        pwm_edge(&world->pwm, t_ns, level);
+        break;
+    case PIN_STOP:
+        world->stop_toggles++;
+        break;
+    case PIN_SERVO:
+        servo_edge(&world->servo, t_ns, level);
+        break;
+    case PIN_TRIGGER:
+        if (head_trigger(&world->head, t_ns, level))
+            trigger_ends(world);
+        break;
+    case PIN_LANE:
+        if (!level && isinf(world->asked_s))
+            world->asked_s = seconds(t_ns);
+        world->blind_asks += !level && is_blind(world);
+        break;
+    case PIN_LAMP:
+    case PIN_BUZZER:
+        world->warnings += !level;
+        break;
+    default:
+        break;
+    }
+    note_demand(world);
+}
+
+static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
+                       bool *level)
+{
+    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
+    return false;
+}
+
+static int64_t horizon_ns(const struct world *world, int64_t t_ns)
+{
+    return t_ns + world->head.delay_ns;
+}
+
+static int64_t guess_ns(const struct world *world, int64_t t_ns)
+{
+    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
+}
+
+static int64_t mark_ns(const struct world *world)
+{
+    return head_due_ns(&world->head);
+}
+
+static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
+{
+    return head_take(&world->head, t_ns, bytes);
+}
+
+/* --- life and outcome --------------------------------------------------------------------- */
+
+static void spoil(struct random *random, uint8_t *payload)
+{
+    switch ((int)(random_uniform(random) * 4)) {
+    case 0:
+        head_put_16(payload, GAP_MAX_MM + 1);
+        break;
+    case 1:
+        head_put_16(payload + 2, SPEED_MAX_MMPS + 1);
+        break;
+    case 2:
+        head_put_16(payload + 4, 65535);
+        break;
+    default:
+        payload[6] = 2;
+        break;
+    }
+}
+
+static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
+{
+    struct world *world = calloc(1, sizeof *world);
+
+    (void)step_ns;
+    if (world == NULL)
+        abort();
+    world->lead = scenario->lead;
+    world->robots = (struct robots){
+        .gap_um = (int32_t)lround(scenario->lead.gap_m * 1e6),
+        .own_mmps = (int)lround(scenario->ego.speed_mps * 1000),
+        .lane_is_free = scenario->lane.lead_mps >= 0,
+        .new_lead_mmps = (int)lround(fmax(scenario->lane.lead_mps, 0) * 1000),
+    };
+    robots_start(&world->robots);
+    set_lead(world);
+    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    world->event_s = scenario->event_s;
+    world->event_ns = (int64_t)llround(scenario->event_s * 1e9);
+    world->hold_s = scenario->hold_s;
+    world->min_brake_pct = INFINITY;
+    world->asked_s = world->changed_s = world->first_fault_s = world->rest_s = INFINITY;
+    return world;
+}
+
+static void destroy(struct world *world)
+{
+    free(world);
+}
+
+static bool is_warm(const struct world *world)
+{
+    return head_is_warm(&world->head);
+}
+
+/* Times begin anew; the last pulse still counts. */
+static void servo_begin(struct world *world)
+{
+    double pulse_us = world->servo.pulse_us;
+
+    servo_init(&world->servo, world->levels[PIN_SERVO]);
+    world->servo.pulse_us = pulse_us;
+}
+
+static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
+{
+    world->started = true;
+    world->now_ns = 0;
+    memcpy(world->levels, levels, sizeof world->levels);
+    head_start(&world->head);
+    world->pace = (struct pace){0};
+    pwm_init(&world->pwm, 0, levels[PIN_PWM]);
+    servo_begin(world);
+    note_demand(world);
+}
+
+static void state_reported(struct world *world, int64_t t_ns, const char *state)
+{
+    if (strcmp(state, "FAULT") == 0 && t_ns >= world->event_ns && isinf(world->first_fault_s))
+        world->first_fault_s = seconds(t_ns);
+}
+
+static bool is_over(const struct world *world)
+{
+    return world->robots.collided ||
+           (world->hold_s >= 0 && seconds(world->now_ns) - world->rest_s >= world->hold_s);
+}
+
+static void values(const struct world *world, double row[WORLD_COLUMNS])
+{
+    row[0] = world->robots.gap_um / 1e6;
+    row[1] = world->robots.own_mmps / 1e3;
+    row[2] = world->robots.lead_mmps / 1e3;
+    row[3] = world->accel_mmps2 / 1e3;
+    row[4] = brake_pct(world);
+    row[5] = throttle_pct(world);
+    row[6] = world->levels[PIN_STOP];
+    row[7] = !world->levels[PIN_LAMP];
+    row[8] = asks_for_lane(world);
+    row[9] = world->robots.changed_step >= 0;
+}
+
+static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
+{
+    double *value = outcome->values, since_s = world->event_s;
+
+    value[METRIC_IMPACT] = world->robots.collided;
+    value[METRIC_IMPACT_MPS] = world->impact_mps;
+    value[METRIC_MIN_GAP] = world->robots.least_gap_um / 1e6;
+    value[METRIC_FINAL_GAP] = world->robots.gap_um / 1e6;
+    value[METRIC_FINAL_SPEED] = world->robots.own_mmps / 1e3;
+    value[METRIC_MAX_BRAKE] = world->max_brake_pct;
+    value[METRIC_MIN_BRAKE] = world->min_brake_pct;
+    value[METRIC_FINAL_BRAKE] = brake_pct(world);
+    value[METRIC_BLIND_FALL] = world->blind_fall_pct;
+    value[METRIC_BLIND_ASKS] = world->blind_asks;
+    value[METRIC_DUTY_STEPS] = world->duty_steps / seconds(t_ns);
+    value[METRIC_STOP_TOGGLES] = world->stop_toggles;
+    value[METRIC_FAULT_WITHIN] = world->first_fault_s - since_s;
+    value[METRIC_ASKS_LANE_AT] = world->asked_s;
+    value[METRIC_CHANGES_LANE_AT] = world->changed_s;
+    value[METRIC_WARNINGS] = world->warnings;
+}
+
+const struct world_class follow_world = {
+    .columns = columns,
+    .column_count = sizeof columns / sizeof columns[0],
+    .reported = reported,
+    .reported_count = sizeof reported / sizeof reported[0],
+    .create = create,
+    .destroy = destroy,
+    .is_warm = is_warm,
+    .start = start,
+    .pin_changed = pin_changed,
+    .advance = advance,
+    .next_input = next_input,
+    .horizon_ns = horizon_ns,
+    .guess_ns = guess_ns,
+    .mark_ns = mark_ns,
+    .take_bytes = take_bytes,
+    .state_reported = state_reported,
+    .is_over = is_over,
+    .values = values,
+    .measure = measure,
+};

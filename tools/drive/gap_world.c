@@ -1,0 +1,277 @@
+/* The gap controller's world: two cars on a lane, a head that measures gap and speeds, a brake that
+ * follows the PWM and a throttle that follows a servo's pulses. */
+#include "world.h"
+
+#include "head.h"
+#include "pace.h"
+#include "rig.h"
+#include "servo.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The frames of firmware/core/frame.h and gap.h: lengths in cm, speeds in cm/s. */
+enum { KIND = 2, PAYLOAD_BYTES = 8, GAP_MAX = 25000, SPEED_MAX = 5000, ACCEL_MAX = 1500 };
+
+/* Closed, and as strong as the brake. */
+static const double throttle_closed_us = 1000, throttle_full_us = 2000;
+
+static const double slope_s = 0.001; /* over which the head takes the lead's acceleration */
+
+enum { SHAPE_NS = 10000000 };
+
+/* The run's shape, looked at every SHAPE_NS. */
+struct shape {
+    int64_t next_ns;
+    double event_accel_mps2;             /* at event_s */
+    double peak_mps2, peak_s;            /* the hardest braking */
+    double least_since_mps2, again_mps2; /* after it: the least, and the most that it grew again */
+    double top_mps, closing_mps, closing_s;
+};
+
+struct world {
+    struct rig rig;
+    struct head head;
+    struct pace pace;
+    struct servo servo;
+    struct shape shape;
+};
+
+static const struct world_column columns[] = {RIG_COLUMN_NAMES, {"throttle_pct", 1}};
+static const char *const reported[] = {"gap_cm", "safe_cm", "accel_cmps2"};
+
+/* --- what the head measures --------------------------------------------------------------- */
+
+static long limited(double value, long low, long high)
+{
+    return value <= (double)low ? low : value >= (double)high ? high : lround(value);
+}
+
+static double lead_accel_mps2(const struct car *car)
+{
+    double now_s = (double)car->now_ns * 1e-9, before_mps, after_mps;
+
+    if (!car->lead_there)
+        return 0;
+    car_lead_path_m(&car->lead, now_s, &before_mps);
+    car_lead_path_m(&car->lead, now_s + slope_s, &after_mps);
+    return (after_mps - before_mps) / slope_s;
+}
+
+/* Without a car ahead: the end of the range, at the own speed. */
+static void measure_all(const struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
+{
+    const struct car *car = &world->rig.car;
+    double lead_mps = car->lead_there ? car_lead_mps(car) : car->v_mps;
+
+    head_put_16(payload, limited(car_gap_m(car) * 100, 0, GAP_MAX));
+    head_put_16(payload + 2, limited(car->v_mps * 100, 0, SPEED_MAX));
+    head_put_16(payload + 4, limited(lead_mps * 100, 0, SPEED_MAX));
+    head_put_16(payload + 6, limited(lead_accel_mps2(car) * 100, -ACCEL_MAX, ACCEL_MAX));
+}
+
+static void spoil(struct random *random, uint8_t *payload)
+{
+    switch ((int)(random_uniform(random) * 5)) {
+    case 0:
+        head_put_16(payload, GAP_MAX + 1);
+        break;
+    case 1:
+        head_put_16(payload + 2, SPEED_MAX + 1);
+        break;
+    case 2:
+        head_put_16(payload + 4, 65535);
+        break;
+    case 3:
+        head_put_16(payload + 6, ACCEL_MAX + 1);
+        break;
+    default:
+        head_put_16(payload + 6, -32768);
+        break;
+    }
+}
+
+/* --- time and pins ------------------------------------------------------------------------ */
+
+static void note_shape(struct world *world)
+{
+    struct shape *shape = &world->shape;
+    const struct car *car = &world->rig.car;
+    double t_s = (double)shape->next_ns * 1e-9;
+    double decel_mps2 = -car->accel_mps2, closing_mps = car->v_mps - car_lead_mps(car);
+
+    if (isnan(shape->event_accel_mps2) && shape->next_ns >= world->rig.event_ns)
+        shape->event_accel_mps2 = car->accel_mps2;
+    if (decel_mps2 > shape->peak_mps2) {
+        shape->peak_mps2 = shape->least_since_mps2 = decel_mps2;
+        shape->peak_s = t_s;
+        shape->again_mps2 = 0;
+    }
+    shape->least_since_mps2 = fmin(shape->least_since_mps2, decel_mps2);
+    shape->again_mps2 = fmax(shape->again_mps2, decel_mps2 - shape->least_since_mps2);
+    shape->top_mps = fmax(shape->top_mps, car->v_mps);
+    if (closing_mps > shape->closing_mps) {
+        shape->closing_mps = closing_mps;
+        shape->closing_s = t_s;
+    }
+}
+
+static void advance(struct world *world, int64_t t_ns)
+{
+    int64_t blind_ns = head_blind_ns(&world->head);
+
+    while (world->rig.started && world->shape.next_ns <= t_ns) {
+        rig_advance(&world->rig, world->shape.next_ns);
+        note_shape(world);
+        world->shape.next_ns += SHAPE_NS;
+    }
+    if (blind_ns <= t_ns) {
+        rig_advance(&world->rig, blind_ns);
+        rig_blind(&world->rig, true);
+    }
+    rig_advance(&world->rig, t_ns);
+}
+
+/* Without pulses it is closed. */
+static double throttle_pct(const struct world *world)
+{
+    double part =
+        (world->servo.pulse_us - throttle_closed_us) / (throttle_full_us - throttle_closed_us);
+
+    return fmin(fmax(part, 0), 1) * 100;
+}
+
+static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
+{
+    uint8_t payload[HEAD_PAYLOAD_MAX];
+
+    advance(world, t_ns);
+    rig_pin(&world->rig, t_ns, pin, level);
+    if (pin == PIN_SERVO && servo_edge(&world->servo, t_ns, level))
+        rig_throttle(&world->rig, throttle_pct(world));
+    if (pin != PIN_TRIGGER || !head_trigger(&world->head, t_ns, level))
+        return;
+    pace_note(&world->pace, t_ns);
+    measure_all(world, payload);
+    head_measured(&world->head, t_ns, payload);
+}
+
+static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
+                       bool *level)
+{
+    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
+    return false;
+}
+
+static int64_t horizon_ns(const struct world *world, int64_t t_ns)
+{
+    return t_ns + world->head.delay_ns;
+}
+
+static int64_t guess_ns(const struct world *world, int64_t t_ns)
+{
+    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
+}
+
+static int64_t mark_ns(const struct world *world)
+{
+    return head_due_ns(&world->head);
+}
+
+static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
+{
+    size_t count = head_take(&world->head, t_ns, bytes);
+
+    if (head_blind_ns(&world->head) == INT64_MAX)
+        rig_blind(&world->rig, false);
+    return count;
+}
+
+/* --- life and outcome --------------------------------------------------------------------- */
+
+static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
+{
+    struct world *world = calloc(1, sizeof *world);
+
+    if (world == NULL)
+        abort();
+    rig_init(&world->rig, scenario, step_ns);
+    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    world->shape =
+        (struct shape){.event_accel_mps2 = NAN, .peak_s = INFINITY, .closing_s = INFINITY};
+    return world;
+}
+
+static void destroy(struct world *world)
+{
+    free(world);
+}
+
+static bool is_warm(const struct world *world)
+{
+    return head_is_warm(&world->head);
+}
+
+/* Times begin anew; the last pulse still counts. */
+static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
+{
+    double pulse_us = world->servo.pulse_us;
+
+    head_start(&world->head);
+    world->pace = (struct pace){0};
+    servo_init(&world->servo, levels[PIN_SERVO]);
+    world->servo.pulse_us = pulse_us;
+    rig_throttle(&world->rig, throttle_pct(world));
+    rig_start(&world->rig, levels);
+}
+
+static void state_reported(struct world *world, int64_t t_ns, const char *state)
+{
+    rig_state_reported(&world->rig, t_ns, state);
+}
+
+static bool is_over(const struct world *world)
+{
+    return rig_is_over(&world->rig);
+}
+
+static void values(const struct world *world, double row[WORLD_COLUMNS])
+{
+    rig_values(&world->rig, row);
+    row[RIG_COLUMNS] = world->rig.throttle_pct;
+}
+
+static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
+{
+    double *value = outcome->values;
+
+    rig_measure(&world->rig, t_ns, outcome);
+    value[METRIC_EVENT_ACCEL] = world->shape.event_accel_mps2;
+    value[METRIC_PEAK_DECEL_AT] = world->shape.peak_s;
+    value[METRIC_DECEL_AGAIN] = world->shape.again_mps2;
+    value[METRIC_TOP_SPEED] = world->shape.top_mps;
+    value[METRIC_CLOSING_PEAK_AT] = world->shape.closing_s;
+}
+
+const struct world_class gap_world = {
+    .columns = columns,
+    .column_count = sizeof columns / sizeof columns[0],
+    .reported = reported,
+    .reported_count = sizeof reported / sizeof reported[0],
+    .create = create,
+    .destroy = destroy,
+    .is_warm = is_warm,
+    .start = start,
+    .pin_changed = pin_changed,
+    .advance = advance,
+    .next_input = next_input,
+    .horizon_ns = horizon_ns,
+    .guess_ns = guess_ns,
+    .mark_ns = mark_ns,
+    .take_bytes = take_bytes,
+    .state_reported = state_reported,
+    .is_over = is_over,
+    .values = values,
+    .measure = measure,
+};
