@@ -123,10 +123,24 @@ radar_TABLE := tables/radar.fis
 radar_GRID  := --grid=13x13 --samples=7 --levels=240 --half-down
 radar_MODULES := $(FRAME_MODULES) apps/radar $(addprefix core/,radar fmcw lane safe)
 
+# The same with the mean of maxima, for comparison: it misses the second published case.
+radar_mom_TABLE   := build/radar_mom.fis
+radar_mom_GRID    := $(radar_GRID)
+radar_mom_MODULES := $(radar_MODULES)
+build/radar_mom.fis: tables/radar.fis
+	@mkdir -p $(@D)
+	$(Q)sed "s/^Name=.*/Name='radar_mom'/; s/'centroid'/'mom'/" $< >$@
+
 park_TABLE  := tables/park.fis
 park_GRID   := --grid=256 --levels=255
 park_FLAGS  := -DSERVO
 park_MODULES := $(FRAME_MODULES) apps/park $(addprefix core/,park cordic) mcu/servo
+
+# The same, blended at 2..4 m in place of the published 3..7 m: it succeeds more often.
+park_late_TABLE   := tables/park_late.fis
+park_late_GRID    := $(park_GRID)
+park_late_FLAGS   := $(park_FLAGS)
+park_late_MODULES := $(park_MODULES)
 
 gap_TABLE   := tables/gap.fis
 gap_GRID    := --nodes --grid=33x33 --levels=200

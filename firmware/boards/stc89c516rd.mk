@@ -7,7 +7,7 @@ IRAM_BYTES := 256
 ENCODING   := plain
 WATCHDOG   := stc89
 FAULT_PCT  := 60
-APPS       := brake tuned classic first none radar gap follow follow_paper park
+APPS       := brake tuned classic first none radar radar_mom gap follow follow_paper park park_late
 
 # Pins by their bit address: 0x90 is P1.0, 0xB2 is P3.2. All are high during reset, which is full
 # brake and stop, throttle cut, lamp and buzzer off, no lane asked for. The echo must be P3.2: it gates timer 0.

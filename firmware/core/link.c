@@ -1,4 +1,4 @@
-/* Up after three good frames in a row, lost after 200 ms without one. */
+/* Up after three good frames in a row, lost after LINK_SILENCE_MS without one. */
 #include "link.h"
 #include "cc51.h"
 

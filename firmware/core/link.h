@@ -7,7 +7,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define LINK_SILENCE_MS  200U
+/* 200 ms, and what a frame takes: so one bad frame in a row of one each 100 ms is no silence. */
+#define LINK_SILENCE_MS  220U
 #define LINK_START_MS    500U /* to come up in after the start */
 #define LINK_GOOD_FRAMES 3    /* in a row, before a link counts as up */
 

@@ -54,7 +54,8 @@ static struct sight look(const struct world *world)
     double y = is_straight ? aside_m : radius - (radius - aside_m) * cos(bend);
     struct sight sight = {.range_m = hypot(x, y)};
 
-    if (!(sight.range_m <= world->front.max_m) || x <= 0)
+    if (!(sight.range_m <= world->front.max_m) ||
+        !(fabs(atan2(y, x)) <= world->front.fov_deg * degree))
         return sight;
     sight.target = true;
     sight.azimuth_rad = side * atan2(y, x);

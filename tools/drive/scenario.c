@@ -95,6 +95,7 @@ static const struct key keys[] = {
     {"front", "azimuth_noise_deg", VALUE_NUMBER, AT(front.azimuth_noise_deg), 0, 5, NULL, 0, false},
     {"front", "dropout", VALUE_NUMBER, AT(front.dropout), 0, 1, NULL, 0, false},
     {"front", "max_m", VALUE_NUMBER, AT(front.max_m), 1, 500, NULL, 0, false},
+    {"front", "fov_deg", VALUE_NUMBER, AT(front.fov_deg), 1, 44, NULL, 0, false},
     {"front", "beats", VALUE_CHOICE, AT(front.beats), 0, 0, "signed unsigned", 0, false},
     {"park", "x_m", VALUE_NUMBER, AT(park.x_m), -39, 39, NULL, 0, true},
     {"park", "y_m", VALUE_NUMBER, AT(park.y_m), 0.1, 39, NULL, 0, true},
@@ -584,6 +585,7 @@ static void set_defaults(struct scenario *scenario, const char *file)
     scenario->road.lane_m = 3.75;
     scenario->lane.lead_mps = SCENARIO_UNSET;
     scenario->front.max_m = 300;
+    scenario->front.fov_deg = 30;
     scenario->park = (struct parking){.speed_mps = 5, .length_m = 4, .steer_deg = 45};
     for (int i = 0; i < SCENARIO_FAULTS; i++) {
         scenario->faults[i] = (struct fault){.kind = -1,

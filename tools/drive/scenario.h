@@ -67,6 +67,7 @@ struct front {
     double range_noise_m, closing_noise_mps, azimuth_noise_deg; /* standard deviations */
     double dropout; /* probability that a target is not seen */
     double max_m;   /* range */
+    double fov_deg; /* it sees so far to each side */
     int beats;      /* enum beats */
 };
 
