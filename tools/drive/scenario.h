@@ -1,6 +1,6 @@
 /* A scenario: who drives where, what the sensor does, and what must come of it. Read from an INI
- * file in which every section, key and value is checked; tests/loop holds examples, README.md the
- * list of keys. */
+ * file in which every section, key and value is checked; tests/loop holds examples, the table in
+ * scenario.c all keys with their ranges, expect.h all outcomes. */
 #ifndef FUZZY51_SCENARIO_H
 #define FUZZY51_SCENARIO_H
 
