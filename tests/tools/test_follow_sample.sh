@@ -1,0 +1,58 @@
+#!/bin/bash
+# 52 starts of the follower's grid, 26 for each rule set, six seconds of each: the real image in the
+# simulator must come to the same as the same decision compiled for the host: contact and when, the
+# least gap and the last one, to the millimetre.
+cd "$(dirname "$0")/../.." || exit 2
+board=stc89c516rd
+seconds=6
+every=43
+folder=build/grid/sample
+rm -rf "$folder"
+mkdir -p "$folder"
+make grid >/dev/null && make BOARD=$board build/$board/follow.ihx build/$board/follow_paper.ihx >/dev/null || exit 1
+
+run_one() { # APP GAP_MM OWN_MMPS LEAD_MMPS
+    build/drive run --board "$board" --hex "build/$board/$1.ihx" --scenario tests/grid/start.scn \
+        --set "lead.gap_m=$(($2 / 1000)).$(printf %03d $(($2 % 1000)))" \
+        --set "ego.speed_mps=$(($3 / 1000)).$(printf %03d $(($3 % 1000)))" \
+        --set "lead.speed_mps=$(($4 / 1000)).$(printf %03d $(($4 % 1000)))" \
+        --json "$folder/$1,$2,$3,$4.json" >/dev/null 2>"$folder/$1,$2,$3,$4.log"
+}
+export -f run_one
+export board folder
+
+for app in follow follow_paper; do
+    "build/grid/$app/run" --duration-s="$seconds" --every="$every" | awk -F, -v app="$app" 'NR > 1 { print app, $0 }'
+done | tr ', ' '  ' >"$folder/host.txt"
+parallel -j "${JOBS:-2}" --will-cite --colsep ' ' run_one '{1}' '{2}' '{3}' '{4}' <"$folder/host.txt"
+
+failed=0
+while read -r app gap own lead collided at least last _; do
+    json="$folder/$app,$gap,$own,$lead.json"
+    wanted="$collided $least $last"
+    if [ -r "$json" ]; then
+        is=$(awk -v at="$at" '
+            { gsub(/[",]/, "") }
+            $1 == "impact:" { collided = $2 == "any" }
+            $1 == "min_gap_m:" { least = $2 }
+            $1 == "final_gap_m:" { last = $2 }
+            $1 == "duration_s:" { duration = $2 }
+            END {
+                if (collided && (duration < at - 0.05 || duration > at + 0.05)) print "contact at " duration " s, not " at
+                else printf "%d %.3f %.3f\n", collided, least, last
+            }' "$json")
+    else
+        is="no outcome: $(head -n 1 "${json%.json}.log")"
+    fi
+    if [ "$is" = "$wanted" ]; then
+        echo "$0:$LINENO:$app from $gap mm, $own and $lead mm/s:PASS"
+    else
+        echo "$0:$LINENO:$app from $gap mm, $own and $lead mm/s:FAIL: contact, least and last gap are '$is', on the host '$wanted'"
+        failed=1
+    fi
+done <"$folder/host.txt"
+[ "$(wc -l <"$folder/host.txt")" -ge 50 ] || {
+    echo "$0:$LINENO:at least 50 starts:FAIL"
+    failed=1
+}
+exit $failed
