@@ -41,8 +41,10 @@ function figure(id, caption) {
 
 function tileValue(tab, image, tile) {
     if (tile.kind === "met") {
-        const runs = tab.groups.filter((group) => group.listed).flatMap((group) => group.scenarios)
-            .map((scenario) => runOf(tab, image, scenario)).filter((run) => run);
+        /* Of the scenarios that all ran, so that the numbers compare; of its own where there are none. */
+        const listed = tab.groups.filter((group) => group.listed).flatMap((group) => group.scenarios);
+        const common = listed.filter((scenario) => tab.images.every((one) => runOf(tab, one.id, scenario)));
+        const runs = (common.length ? common : listed).map((scenario) => runOf(tab, image, scenario)).filter((run) => run);
         return `${runs.filter((run) => run.met).length} of ${runs.length}`;
     }
     if (tile.kind === "limit") {
