@@ -1,0 +1,39 @@
+/* Ranges of 0..105 m, closing speeds of -10..70 km/h, own speeds, straight and in a bend. */
+#include "frames.h"
+#include "step.h"
+
+#define RANGES 15U
+#define SPEEDS 17U
+#define OWNS   6U
+
+const uint16_t __code bench_payloads = RANGES * SPEEDS * OWNS;
+
+static void put(uint8_t at, uint16_t value)
+{
+    frame_body[at] = (uint8_t)(value >> 8);
+    frame_body[(uint8_t)(at + 1)] = (uint8_t)value;
+}
+
+static void put_hz(uint8_t at, int32_t hz)
+{
+    frame_body[at] = (uint8_t)((uint32_t)hz >> 16);
+    put((uint8_t)(at + 1), (uint16_t)hz);
+}
+
+void bench_payload(uint16_t n)
+{
+    int32_t range_hz = (int32_t)(n % RANGES) * 7505L + 1500;
+    int32_t speed_hz;
+
+    n /= RANGES;
+    speed_hz = ((int32_t)(n % SPEEDS) - 2) * 713L;
+    if (speed_hz < 0 && range_hz + speed_hz < 0)
+        speed_hz = 0;
+    put_hz(0, range_hz - speed_hz);
+    put_hz(3, range_hz + speed_hz);
+    n /= SPEEDS;
+    put(6, n & 1 ? 519 : 0); /* azimuth: 2.85 degrees */
+    put(8, n * 499U);
+    put(10, n & 1 ? 1993 : 0);
+    frame_body[12] = 3; /* a target, signed */
+}
