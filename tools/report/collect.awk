@@ -80,7 +80,7 @@ function tic_step(low, high,    power, part) {
     return power * (part <= 1.01 ? 1 : part <= 2.01 ? 2 : part <= 5.01 ? 5 : 10)
 }
 
-# Thins a run's series to about `rows` moments, keeping each change of a word and the last moment.
+# Thins a run's series to about `rows` moments, keeping each change of a word or a switch and the last moment.
 # Returns them as JSON, and writes them as CSV for gnuplot.
 function trace(text, name, scenario, rows,    at, out, count, step, k, c, list, kept, json, value, have, head, keep, cells) {
     at = index(text, "\"series\"")
@@ -97,7 +97,7 @@ function trace(text, name, scenario, rows,    at, out, count, step, k, c, list, 
         head = head "," column[c]
         for (k = 1; k <= count; k++) {
             cells[c, k] = trim(list[k])
-            if (kind_of[c] == "words" && k > 1 && cells[c, k] != cells[c, k - 1]) keep[k] = 1
+            if (is_switch[c] && k > 1 && cells[c, k] != cells[c, k - 1]) keep[k] = 1
         }
     }
     out = work "/traces/" name ".csv"
@@ -189,7 +189,7 @@ BEGIN {
     FS = OFS = "\t"
     read_tab()
     columns = entries["column"]
-    for (k = 1; k <= columns; k++) { parts(entry["column", k], part); column[k] = part[1]; digits_of[k] = part[4] + 0; kind_of[k] = part[5]; word_count[k] = 0 }
+    for (k = 1; k <= columns; k++) { parts(entry["column", k], part); column[k] = part[1]; digits_of[k] = part[4] + 0; kind_of[k] = part[5]; word_count[k] = 0; is_switch[k] = part[5] == "words" || part[6] == "hidden" }
     groups = entries["group"]
     for (k = 1; k <= groups; k++) { parts(entry["group", k], part); group[k] = part[1]; group_title[k] = part[2]; listed[k] = part[3] != "figure" }
     measures = entries["measure"]

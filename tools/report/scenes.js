@@ -107,7 +107,7 @@ function sceneRoad(view, runs) {
 /* Two lanes a run; the own robot is in the upper one after a change. The one ahead of it is shown in
  * the lane that the own robot is in. */
 function sceneLanes(view, runs) {
-    const block = 140, metres = metresOf(view, runs), scale = view.width / metres, size = Math.max(16, 0.5 * scale);
+    const block = 140, metres = metresOf(view, runs), scale = view.width / metres, size = Math.min(40, Math.max(16, 0.5 * scale));
     const ownX = view.width * 0.14;
     let svg = "";
     runs.forEach((run, k) => {
