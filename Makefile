@@ -250,22 +250,26 @@ follow_unyielding_TABLE := $(follow_TABLE)
 follow_unyielding_GRID  := $(follow_GRID)
 follow_unyielding_FLAGS := $(follow_paper_FLAGS)
 FOLLOW_GRID_SRC := tools/grid/follow.c tools/drive/robots.c $(addprefix firmware/core/,follow.c lut.c frame.c)
-define follow_grid_rules
+# The parking map, with the published blend and the later one.
+PARK_GRIDS := park park_late
+PARK_GRID_SRC := tools/grid/park.c tools/drive/truck.c $(addprefix firmware/core/,park.c cordic.c lut.c frame.c fixed.c)
+define grid_rules
 build/grid/$(1)/lut_table.h: $($(1)_TABLE) build/fistab
 	@mkdir -p $$(@D)
 	$$(Q)build/fistab table $$< --name=lut $($(1)_GRID) -o $$@
 build/grid/$(1)/%.o: %.c build/grid/$(1)/lut_table.h
 	@mkdir -p $$(@D)
 	$$(Q)$$(CC) $$(CFLAGS) $$(HOST_FLAGS) $($(1)_FLAGS) -Ifirmware/core -Ibuild/grid/$(1) -c $$< -o $$@
-build/grid/$(1)/run: $(FOLLOW_GRID_SRC:%.c=build/grid/$(1)/%.o)
+build/grid/$(1)/run: $(2:%.c=build/grid/$(1)/%.o)
 	$$(Q)$$(CC) $$(CFLAGS) $$^ -lm -o $$@
 build/grid/$(1).csv: build/grid/$(1)/run
 	$$(Q)$$< >$$@
 endef
-$(foreach grid,$(FOLLOW_GRIDS),$(eval $(call follow_grid_rules,$(grid))))
+$(foreach grid,$(FOLLOW_GRIDS),$(eval $(call grid_rules,$(grid),$(FOLLOW_GRID_SRC))))
+$(foreach grid,$(PARK_GRIDS),$(eval $(call grid_rules,$(grid),$(PARK_GRID_SRC))))
 
 .PHONY: grid
-grid: $(FOLLOW_GRIDS:%=build/grid/%.csv)
+grid: $(patsubst %,build/grid/%.csv,$(FOLLOW_GRIDS) $(PARK_GRIDS))
 
 # --- tests ------------------------------------------------------------------------------------
 # Every suite prints PLACE:LINE:NAME:PASS|FAIL lines; tests/run.sh adds them up.
