@@ -1,7 +1,8 @@
-/* Under test: tools/drive/head.c against the receiver of firmware/core: the two were written apart. */
+/* Under test: tools/drive/head.c against the receiver of firmware/core: the two were written apart.
+ */
 #include "drive/head.h"
 
-#include "../../firmware/core/frame.h"
+#include "../../firmware/core/frame.c"
 
 #include <string.h>
 #include <unity.h>
@@ -13,9 +14,7 @@ void setUp(void)
     frame_init(FRAME_PARK, sizeof payload);
 }
 
-void tearDown(void)
-{
-}
+void tearDown(void) {}
 
 static void spoil(struct random *random, uint8_t *bytes)
 {
