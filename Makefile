@@ -43,7 +43,7 @@ help:
 	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
 	@echo "make test            all tests; ends with 'N passed, N failed'"
 	@echo "make flash BOARD=NAME PORT=DEVICE   writes APP=$(strip $(APP)) to a chip"
-	@echo "make bench           fistab beside fuzzylite; bytes and cycles of the look-up"
+	@echo "make bench           cycles, bytes and stack of each app; fistab beside fuzzylite; drive beside free s51"
 	@echo "make fuzz            feeds fistab with ever odder files for FUZZ_SECONDS=$(FUZZ_SECONDS)"
 	@echo "make deps            installs what the build needs"
 	@echo "make clean           removes build/"
