@@ -23,8 +23,9 @@ uint8_t hal_echo(void);         /* enum hal_echo */
 uint16_t hal_echo_ticks(void);
 bool hal_echo_is_high(void);    /* the sensor's line, for a test of its idle level */
 
-/* Actuators. The duty, 0..100 % (more is 100), holds from the next PWM period on. */
-void hal_brake_set(uint8_t brake_pct);
+/* Actuators. The duty, 0..100 % (more is 100), holds from the first PWM period on that begins 0.3 ms or
+ * more after the call. */
+void hal_brake_set(uint8_t brake_pct); /* up to 90 mc */
 void hal_stop_set(bool on);
 void hal_lamp_set(bool on);
 void hal_buzzer_set(bool on);

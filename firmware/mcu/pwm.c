@@ -14,43 +14,52 @@
 #endif
 
 /* Each period has a first phase, high unless the brake is released, and a second one, low unless it
- * is full; steady levels have two equal phases. All below belongs to the interrupt, but what starts
- * with new_: that is written by hal_brake_set while new_is_set is 0, and taken by the interrupt when
- * it is 1. So nothing needs the interrupt disabled, which would move an edge. */
+ * is full; steady levels have two equal phases. By what the timer is advanced for both together: */
+#define BOTH_RELOADS (PHASE_RELOAD(PERIOD_MC) + PHASE_STOPPED_MC)
+
+/* All below belongs to the interrupt, but what starts with new_: that is written by hal_brake_set while
+ * new_is_set is 0, and taken when it is 1: by the interrupt that starts a second phase or, in a second
+ * phase that has time left, by hal_brake_set. So nothing needs the interrupt disabled, which would
+ * move an edge. */
 static volatile uint8_t ticks;
-static volatile __bit level;         /* of the pin from the next interrupt on */
-static volatile uint8_t reload_low;  /* for the phase that the next interrupt starts */
-static volatile uint8_t reload_high;
-static volatile __bit is_second;     /* the next interrupt starts a second phase */
-static uint8_t first_low, first_high, second_low, second_high;
-static __bit first_level, second_level;
-static volatile uint8_t new_first_low, new_first_high, new_second_low, new_second_high;
+static volatile __bit level;      /* of the pin from the next interrupt on */
+static volatile uint16_t reload;  /* for the phase that the next interrupt starts */
+static volatile __bit is_second;  /* the next interrupt starts a second phase */
+static volatile uint16_t first_reload;
+static volatile __bit first_level, second_level;
+static volatile uint16_t new_first_reload;
 static volatile __bit new_first_level, new_second_level, new_is_set;
+
+/* The next first phase will be the new one. */
+static inline void take_new(void)
+{
+    new_is_set = 0;
+    first_reload = new_first_reload;
+    first_level = new_first_level;
+    second_level = new_second_level;
+}
+
+static inline void prepare_first(void)
+{
+    level = first_level;
+    reload = first_reload;
+}
 
 void pwm_interrupt(void) __interrupt(3) __using(1)
 {
     pin_pwm = level; /* first, so that both edges come equally late */
-    PHASE_ADVANCE("1", "_reload_low", "_reload_high");
+    PHASE_ADVANCE("1", "_reload", "(_reload + 1)");
     if (is_second) {
         is_second = 0;
         if (new_is_set) {
-            new_is_set = 0;
-            first_low = new_first_low;
-            first_high = new_first_high;
-            first_level = new_first_level;
-            second_low = new_second_low;
-            second_high = new_second_high;
-            second_level = new_second_level;
+            take_new();
         }
-        level = first_level;
-        reload_low = first_low;
-        reload_high = first_high;
+        prepare_first();
     } else {
         is_second = 1;
         ticks++;
         level = second_level;
-        reload_low = second_low;
-        reload_high = second_high;
+        reload = BOTH_RELOADS - first_reload;
     }
 }
 
@@ -58,12 +67,10 @@ void pwm_init(void)
 {
     uint16_t half = PHASE_RELOAD(PERIOD_MC / 2U);
 
-    hal_brake_set(100);
-    level = 1;
-    is_second = 1;
+    first_reload = half;
     first_level = second_level = 1;
-    reload_low = first_low = second_low = (uint8_t)half;
-    reload_high = first_high = second_high = (uint8_t)(half >> 8);
+    prepare_first();
+    is_second = 1;
     TMOD = (TMOD & 0x0F) | T1_M0; /* 16 bits */
     TL1 = (uint8_t)half;
     TH1 = (uint8_t)(half >> 8);
@@ -74,21 +81,26 @@ void pwm_init(void)
 
 void hal_brake_set(uint8_t brake_pct)
 {
-    uint16_t first_mc = PERIOD_MC / 2U, reload;
+    uint16_t first_mc = PERIOD_MC / 2U;
 
     new_is_set = 0;
-    new_first_level = brake_pct != 0;
-    new_second_level = brake_pct >= 100;
-    if (brake_pct != 0 && brake_pct < 100) {
+    new_first_level = 1;
+    new_second_level = 0;
+    if (brake_pct == 0) {
+        new_first_level = 0;
+    } else if (brake_pct >= 100) {
+        new_second_level = 1;
+    } else {
         first_mc = mul_u8(brake_pct, PERCENT_MC) + (mul_u8(brake_pct, PERCENT_MC_REST) >> 8);
     }
-    reload = PHASE_RELOAD(first_mc);
-    new_first_low = (uint8_t)reload;
-    new_first_high = (uint8_t)(reload >> 8);
-    reload = PHASE_RELOAD(PERIOD_MC) + first_mc;
-    new_second_low = (uint8_t)reload;
-    new_second_high = (uint8_t)(reload >> 8);
+    new_first_reload = PHASE_RELOAD(first_mc);
     new_is_set = 1;
+    /* 256 cycles or more to the next edge, and no edge due meanwhile (a high byte of less than 128)
+     * nor before this was asked: time for what follows, and for the other interrupts in it. */
+    if ((uint8_t)(TH1 - 128U) < 127U && !is_second) {
+        take_new();
+        prepare_first();
+    }
 }
 
 uint8_t hal_ticks(void)

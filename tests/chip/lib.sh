@@ -16,9 +16,9 @@ s51_board() { # BOARD KNOB
     awk -v knob="$2" '$1 == knob { print $3 }' "firmware/boards/$1.mk"
 }
 
-# The address of a variable in the internal RAM of a linked program, from its relocated listings.
-s51_cell() { # BOARD APP VARIABLE
-    awk -v name="_$3:" '$NF == name && NF == 3 { print "iram[0x" tolower(substr($1, 5)) "]"; exit }' "build/$1/$2"/*/*.rst
+# The address of a global variable in the internal RAM of a linked program, from its map.
+s51_cell() { # IMAGE.ihx VARIABLE
+    awk -v name="_$2" '$2 == name { print "iram[0x" tolower(substr($1, 7)) "]"; exit }' "${1%.ihx}.map"
 }
 
 s51_start() {
@@ -47,7 +47,8 @@ s51_start() {
     } >"$s51_dir/start.cfg"
     # Opened for both directions they neither block nor end.
     exec {s51_console}<>"$s51_dir/console" {s51_keys}<>"$s51_dir/keys"
-    timeout -k 1 "${S51_LIMIT_S:-300}" s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,in=$s51_dir/keys,out=$s51_uart" \
+    # Processor time is limited, so that a busy machine fails nothing.
+    timeout -k 1 3000 prlimit --cpu=120 s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,in=$s51_dir/keys,out=$s51_uart" \
         -C "$s51_dir/start.cfg" -g "$image" <&"$s51_console" >"$s51_dir/log" 2>&1 &
     s51_pid=$!
     trap s51_stop EXIT
@@ -87,7 +88,13 @@ s51_type() {
 
 s51_until() { # TIME_US
     printf '#%d500\n1%%\n#%d500\n' "$1" "$(($1 + 1))" >&"$s51_pins"
-    until s51_edges sync | awk -v due="$1" '$3 >= due && $3 < due + 3 { seen = 1 } END { exit !seen }'; do
+    # The sync is the last thing that it writes before it stands still.
+    until { head -n 40 "$s51_dir/out"; tail -n 2 "$s51_dir/out"; } 2>/dev/null | awk -v due="$1" '
+        $1 == "$timescale" { scale = $2 ~ /ps/ ? 1e-6 : $2 ~ /ns/ ? 1e-3 : 1; scale *= $2 + 0 }
+        $1 == "$var" && $5 == "sync" { id = $4 }
+        /^#/ { time = substr($1, 2) * scale; seen = 0; next }
+        /^b/ { seen = $2 == id && time >= due && time < due + 3 }
+        END { exit !seen }'; do
         kill -0 "$s51_pid" 2>/dev/null || {
             echo "s51: error: left before $1 us; its last words:" >&2
             tail -n 3 "$s51_dir/log" >&2
