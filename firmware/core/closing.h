@@ -3,8 +3,7 @@
  * Two estimators run side by side: the plain difference of the last two believed readings over the
  * true time between them, and alpha-beta with 3/4 and 1/4. One gate serves both: a reading more than
  * CLOSING_GATE_MM from where the target should be is set aside once, and believed when the next one
- * agrees with it. (What each is good for: the study in the README's reading list, or measure it with
- * `make bench`.) */
+ * agrees with it. (What each is good for: `make bench` measures it in the loop.) */
 #ifndef FUZZY51_CLOSING_H
 #define FUZZY51_CLOSING_H
 

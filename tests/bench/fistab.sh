@@ -9,7 +9,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 rounds=${1:-9}
-work=build/bench
+work=build/bench/fistab
 mkdir -p "$work"
 missed=0
 
