@@ -113,6 +113,17 @@ static void test_methods_of_defuzzification(void)
     NEAR(5, output(3, 6, 0));
 }
 
+/* near is (5 - 3.32) / 2 = 0.84 here, and hold is 0.84 at the samples -0.16 and 0.16: the ends of
+ * its plateau, which rounding takes to be a little above or below. */
+static void test_a_plateau_that_ends_on_samples_keeps_its_ends(void)
+{
+    given("[System]\n" METHODS("min", "max", "min", "max", "mom")
+          "[Input1]\nName='gap'\nRange=[0 10]\nMF1='near':'trimf',[1 3 5]\n"
+          "[Output1]\nName='command'\nRange=[-2 2]\nMF1='hold':'trimf',[-1 0 1]\n"
+          "[Rules]\n1, 1 (1) : 1\n");
+    NEAR(0, output(101, 3.32, 0));
+}
+
 /* --- MathWorks' own example of defuzz: the answers stand in its documentation
  * ---------------------- */
 
@@ -291,6 +302,7 @@ int main(void)
     RUN_TEST(test_aggregation);
     RUN_TEST(test_two_rules_with_one_outcome);
     RUN_TEST(test_methods_of_defuzzification);
+    RUN_TEST(test_a_plateau_that_ends_on_samples_keeps_its_ends);
     RUN_TEST(test_the_example_of_matlabs_documentation);
     RUN_TEST(test_of_two_alike_in_size_the_left_one_counts);
     RUN_TEST(test_that_an_empty_set_has_no_centre);

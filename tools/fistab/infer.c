@@ -1,6 +1,7 @@
 /* Mamdani and Sugeno inference. */
 #include "infer.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -312,22 +313,26 @@ static void aggregate(const struct fis *fis, const struct consequent *c, double 
                       double *out)
 {
     bool product = fis->imp_method == IMP_PROD;
+    /* Where a set is cut at a sample, rounding must not take the sample off the plateau: the mean of
+     * maxima would move. 16 roundings: what a sample, its set and the strength of a rule make where
+     * sets are no narrower than a quarter of a range that holds 0. */
+    double level = strength * (1 - 16 * DBL_EPSILON);
 
     /* One plain loop for each case: the compiler makes vector code of them. */
     switch (fis->agg_method) {
     case AGG_MAX:
         for (size_t k = c->from; k < c->to; k++) {
-            double mu = product ? strength * c->mu[k] : strength < c->mu[k] ? strength : c->mu[k];
+            double mu = product ? strength * c->mu[k] : level < c->mu[k] ? strength : c->mu[k];
             out[k] = out[k] > mu ? out[k] : mu;
         }
         break;
     case AGG_SUM:
         for (size_t k = c->from; k < c->to; k++)
-            out[k] += product ? strength * c->mu[k] : strength < c->mu[k] ? strength : c->mu[k];
+            out[k] += product ? strength * c->mu[k] : level < c->mu[k] ? strength : c->mu[k];
         break;
     case AGG_PROBOR:
         for (size_t k = c->from; k < c->to; k++) {
-            double mu = product ? strength * c->mu[k] : strength < c->mu[k] ? strength : c->mu[k];
+            double mu = product ? strength * c->mu[k] : level < c->mu[k] ? strength : c->mu[k];
             out[k] = out[k] + mu - out[k] * mu; /* MATLAB's order: ties stay ties */
         }
         break;
