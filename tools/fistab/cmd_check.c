@@ -36,16 +36,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case KEY_COVERAGE:
         a->coverage = true;
         return 0;
-    case ARGP_KEY_ARG:
-        if (a->file != NULL)
-            argp_usage(state);
-        a->file = argument;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_usage(state);
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return option_file(key, argument, &a->file, state);
     }
 }
 
@@ -124,19 +116,14 @@ int cmd_check(int argc, char **argv)
     int status;
 
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    status = fis_read(a.file, &fis);
+    status = options_read_fis(a.file, &a.grid, &a.law, "--monotone", &fis);
     if (status != EXIT_FINE)
         return status;
-    status = grid_check(&a.grid, &fis);
-    if (status == EXIT_FINE)
-        status = law_check(&a.law, &fis, "--monotone");
-    if (status == EXIT_FINE) {
-        check_fis(&fis, &findings);
-        if (findings.errors == 0)
-            status = check_table(&a, &fis, &findings);
-        if (findings.errors + findings.warnings > 0)
-            status = EXIT_INPUT;
-    }
+    check_fis(&fis, &findings);
+    if (findings.errors == 0)
+        status = check_table(&a, &fis, &findings);
+    if (findings.errors + findings.warnings > 0)
+        status = EXIT_INPUT;
     fis_free(&fis);
     return status;
 }

@@ -60,23 +60,16 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case KEY_AXES:
         parse_axes(a, argument, state);
         return 0;
-    case ARGP_KEY_ARG:
-        if (a->file != NULL)
-            argp_usage(state);
-        a->file = argument;
-        return 0;
     case ARGP_KEY_END: {
         const char *ending = a->output != NULL ? strrchr(a->output, '.') : NULL;
 
-        if (a->file == NULL)
-            argp_usage(state);
         if (ending == NULL || (strcasecmp(ending, ".svg") != 0 && strcasecmp(ending, ".png") != 0))
             argp_error(state, "give the picture a name: -o FILE.svg or -o FILE.png");
         a->plot.png = strcasecmp(ending, ".png") == 0;
         return 0;
     }
     default:
-        return ARGP_ERR_UNKNOWN;
+        return option_file(key, argument, &a->file, state);
     }
 }
 

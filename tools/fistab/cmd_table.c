@@ -82,14 +82,6 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case KEY_CHANGES:
         a->changes_path = argument;
         return 0;
-    case ARGP_KEY_ARG:
-        if (a->file != NULL)
-            argp_usage(state);
-        a->file = argument;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_usage(state);
-        return 0;
     case ARGP_KEY_END:
         if (a->grid.table.half_down && a->law.text != NULL)
             argp_error(state, "--half-down and --repair: choose one, a repair starts from half up");
@@ -97,7 +89,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
             argp_error(state, "--changes lists what --repair changed; give --repair=SPEC too");
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return option_file(key, argument, &a->file, state);
     }
 }
 
@@ -200,16 +192,12 @@ int cmd_table(int argc, char **argv)
     int status;
 
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    status = fis_read(a.file, &fis);
+    status = options_read_fis(a.file, &a.grid, &a.law, "--repair", &fis);
     if (status != EXIT_FINE)
         return status;
-    status = grid_check(&a.grid, &fis);
-    if (status == EXIT_FINE)
-        status = law_check(&a.law, &fis, "--repair");
-    if (status == EXIT_FINE) {
-        check_fis(&fis, &findings);
-        status = findings.errors > 0 ? EXIT_INPUT : EXIT_FINE;
-    }
+    check_fis(&fis, &findings);
+    if (findings.errors > 0)
+        status = EXIT_INPUT;
     if (status == EXIT_FINE)
         status = table_make(&fis, &a.grid.table, &table);
     if (status == EXIT_FINE) {

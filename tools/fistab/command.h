@@ -30,14 +30,20 @@ struct grid_options {
     }
 extern const struct argp grid_argp;
 
-/* Does --grid have a number for each input of FIS? EXIT_FINE, or EXIT_USAGE after a message. */
-int grid_check(const struct grid_options *options, const struct fis *fis);
-
 /* A whole number of MIN..MAX, or a usage message about OPTION and exit. */
 long option_integer(const char *text, long min, long max, const char *option,
                     struct argp_state *state);
 
 /* A law of monotony, or a usage message about OPTION and exit. */
 void option_law(const char *text, const char *option, struct law *law, struct argp_state *state);
+
+/* What is left of a command's line, its one FILE: a usage message and exit where there is none, or
+ * two. ARGP_ERR_UNKNOWN for every other KEY. */
+error_t option_file(int key, char *argument, const char **file, struct argp_state *state);
+
+/* Reads FILE, and holds --grid and LAW, which OPTION brought, against its inputs. EXIT_FINE; or
+ * EXIT_INPUT or EXIT_USAGE after a message, and there is no FIS to free. */
+int options_read_fis(const char *file, const struct grid_options *grid, const struct law *law,
+                     const char *option, struct fis *fis);
 
 #endif

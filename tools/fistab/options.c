@@ -111,11 +111,42 @@ static const struct argp_option grid_option[] = {
 static const struct argp_child grid_children[] = {{&infer_argp, 0, NULL, 0}, {0}};
 const struct argp grid_argp = {grid_option, parse_grid, NULL, NULL, grid_children, NULL, NULL};
 
-int grid_check(const struct grid_options *options, const struct fis *fis)
+error_t option_file(int key, char *argument, const char **file, struct argp_state *state)
+{
+    switch (key) {
+    case ARGP_KEY_ARG:
+        if (*file != NULL)
+            argp_usage(state);
+        *file = argument;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_usage(state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static int grid_check(const struct grid_options *options, const struct fis *fis)
 {
     if (options->inputs == 0 || options->inputs == fis->inputs)
         return EXIT_FINE;
     diag_error(fis->file, 0, "--grid has %zu numbers, but the system has %zu inputs",
                options->inputs, fis->inputs);
     return EXIT_USAGE;
+}
+
+int options_read_fis(const char *file, const struct grid_options *grid, const struct law *law,
+                     const char *option, struct fis *fis)
+{
+    int status = fis_read(file, fis);
+
+    if (status != EXIT_FINE)
+        return status;
+    status = grid_check(grid, fis);
+    if (status == EXIT_FINE)
+        status = law_check(law, fis, option);
+    if (status != EXIT_FINE)
+        fis_free(fis);
+    return status;
 }
