@@ -1,18 +1,14 @@
 /* The brake controller's world: two cars on a lane, an ultrasonic sensor, a brake that follows the
  * PWM and the stop line, a lamp and a buzzer. */
-#include "world.h"
-
-#include "pace.h"
-#include "rig.h"
+#include "base.h"
 #include "sonar.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 struct world {
+    struct base base;
     struct rig rig;
     struct sonar sonar;
-    struct pace pace;
     int64_t now_ns;
     int64_t trigger_rise_ns;
     int64_t mark_ns; /* the next boundary of a fault */
@@ -54,7 +50,7 @@ static int64_t horizon_ns(const struct world *world, int64_t t_ns)
 
 static int64_t guess_ns(const struct world *world, int64_t t_ns)
 {
-    return sonar_horizon_ns(&world->sonar, pace_next_ns(&world->pace, t_ns));
+    return sonar_horizon_ns(&world->sonar, pace_next_ns(&world->base.pace, t_ns));
 }
 
 static int64_t mark_ns(const struct world *world)
@@ -72,7 +68,7 @@ static void trigger_ends(struct world *world)
     enum sonar_answer answer = sonar_trigger(&world->sonar, world->now_ns,
                                              world->now_ns - world->trigger_rise_ns, gap, closing);
 
-    pace_note(&world->pace, world->now_ns);
+    pace_note(&world->base.pace, world->now_ns);
     if (answer == SONAR_MISSING)
         rig_blind(&world->rig, true);
     else if (answer == SONAR_TARGET || answer == SONAR_NONE)
@@ -114,10 +110,9 @@ static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enu
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
-    struct world *world = calloc(1, sizeof *world);
+    struct world *world = base_create(sizeof *world);
 
-    if (world == NULL)
-        abort();
+    world->base = (struct base){.rig = &world->rig};
     rig_init(&world->rig, scenario, step_ns);
     sonar_init(&world->sonar, scenario, seed);
     world->override.next = scenario->override.from_s >= 0 ? 0 : 2;
@@ -130,7 +125,7 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
 static void destroy(struct world *world)
 {
     sonar_free(&world->sonar);
-    free(world);
+    base_destroy(world);
 }
 
 static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
@@ -144,24 +139,9 @@ static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
     }
 }
 
-static void state_reported(struct world *world, int64_t t_ns, const char *state)
-{
-    rig_state_reported(&world->rig, t_ns, state);
-}
-
-static bool is_over(const struct world *world)
-{
-    return rig_is_over(&world->rig);
-}
-
 static void values(const struct world *world, double row[WORLD_COLUMNS])
 {
     rig_values(&world->rig, row);
-}
-
-static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
-{
-    rig_measure(&world->rig, t_ns, outcome);
 }
 
 const struct world_class brake_world = {
@@ -178,8 +158,7 @@ const struct world_class brake_world = {
     .horizon_ns = horizon_ns,
     .guess_ns = guess_ns,
     .mark_ns = mark_ns,
-    .state_reported = state_reported,
-    .is_over = is_over,
+    BASE_RIG_FUNCTIONS,
     .values = values,
-    .measure = measure,
+    .measure = base_measure,
 };

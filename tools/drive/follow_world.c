@@ -1,29 +1,23 @@
 /* The follower's world: a robot behind another one, and a lane beside them. Robots move in steps of
  * 0.1 s, each begun by the controller's trigger: what its pins say when the next one comes is the
  * acceleration of the step between. */
-#include "world.h"
-
+#include "base.h"
 #include "car.h"
-#include "head.h"
-#include "pace.h"
 #include "pwm.h"
 #include "robots.h"
 #include "servo.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The frames of firmware/core/frame.h and follow.h: lengths in mm, speeds in mm/s. */
 enum { KIND = 3, PAYLOAD_BYTES = 7, GAP_MAX_MM = 20000, SPEED_MAX_MMPS = 2500 };
 
-static const double throttle_closed_us = 1000, throttle_full_us = 2000;
-
 struct world {
+    struct base base;
     struct robots robots;
     struct lead lead;
     struct head head;
-    struct pace pace;
     struct pwm pwm;
     struct servo servo;
     bool levels[BOARD_OUTPUTS];
@@ -56,15 +50,6 @@ static double brake_pct(const struct world *world)
     return world->levels[PIN_STOP] ? 100 : world->pwm.duty_pct;
 }
 
-/* Without pulses it is closed. */
-static double throttle_pct(const struct world *world)
-{
-    double part =
-        (world->servo.pulse_us - throttle_closed_us) / (throttle_full_us - throttle_closed_us);
-
-    return fmin(fmax(part, 0), 1) * 100;
-}
-
 static bool asks_for_lane(const struct world *world)
 {
     return !world->levels[PIN_LANE];
@@ -79,7 +64,7 @@ static bool is_blind(const struct world *world)
 static void note_demand(struct world *world)
 {
     double brake = brake_pct(world);
-    double demand = brake > 0 ? brake : -throttle_pct(world);
+    double demand = brake > 0 ? brake : -servo_throttle_pct(&world->servo);
 
     if (is_blind(world))
         world->blind_fall_pct = fmax(world->blind_fall_pct, world->seen_pct - demand);
@@ -108,16 +93,6 @@ static void advance(struct world *world, int64_t t_ns)
     }
 }
 
-static void measure_payload(const struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
-{
-    int gap_mm = robots_gap_mm(&world->robots);
-
-    head_put_16(payload, gap_mm < GAP_MAX_MM ? gap_mm : GAP_MAX_MM);
-    head_put_16(payload + 2, world->robots.own_mmps);
-    head_put_16(payload + 4, world->robots.lead_mmps);
-    payload[6] = !world->robots.lane_is_free;
-}
-
 static void set_lead(struct world *world)
 {
     double speed_mps;
@@ -130,12 +105,12 @@ static void set_lead(struct world *world)
 
 static void step(struct world *world)
 {
-    double brake = brake_pct(world);
+    double brake = brake_pct(world), throttle = servo_throttle_pct(&world->servo);
     bool was_changed = world->robots.changed_step >= 0;
 
     if (world->robots.collided)
         return;
-    world->accel_mmps2 = (brake > 0 ? -brake : throttle_pct(world)) / 100 * ROBOTS_ACCEL_MAX_MMPS2;
+    world->accel_mmps2 = (brake > 0 ? -brake : throttle) / 100 * ROBOTS_ACCEL_MAX_MMPS2;
     robots_step(&world->robots, world->accel_mmps2, asks_for_lane(world));
     if (world->robots.collided)
         world->impact_mps = (world->robots.own_mmps - world->robots.lead_mmps) / 1000.0;
@@ -148,26 +123,29 @@ static void step(struct world *world)
         world->rest_s = seconds(world->now_ns);
 }
 
-/* --- pins --------------------------------------------------------------------------------- */
-
-static void trigger_ends(struct world *world)
+/* A trigger ends the step before it and finds what that came to. */
+static void sense(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
-    uint8_t payload[HEAD_PAYLOAD_MAX];
+    int gap_mm;
 
     if (world->stepping)
         step(world);
     world->stepping = world->started;
-    pace_note(&world->pace, world->now_ns);
-    measure_payload(world, payload);
-    head_measured(&world->head, world->now_ns, payload);
+    gap_mm = robots_gap_mm(&world->robots);
+    head_put_16(payload, gap_mm < GAP_MAX_MM ? gap_mm : GAP_MAX_MM);
+    head_put_16(payload + 2, world->robots.own_mmps);
+    head_put_16(payload + 4, world->robots.lead_mmps);
+    payload[6] = !world->robots.lane_is_free;
 }
+
+/* --- pins --------------------------------------------------------------------------------- */
 
 static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
 {
     if (!world->started) { /* the head answers a trigger, nothing moves */
         world->now_ns = t_ns;
-        if (pin == PIN_TRIGGER && head_trigger(&world->head, t_ns, level))
-            trigger_ends(world);
+        if (pin == PIN_TRIGGER)
+            base_trigger(world, t_ns, level);
         if (pin == PIN_SERVO)
             servo_edge(&world->servo, t_ns, level);
         return;
@@ -185,8 +163,7 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
         servo_edge(&world->servo, t_ns, level);
         break;
     case PIN_TRIGGER:
-        if (head_trigger(&world->head, t_ns, level))
-            trigger_ends(world);
+        base_trigger(world, t_ns, level);
         break;
     case PIN_LANE:
         if (!level && isinf(world->asked_s))
@@ -201,33 +178,6 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
         break;
     }
     note_demand(world);
-}
-
-static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
-                       bool *level)
-{
-    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
-    return false;
-}
-
-static int64_t horizon_ns(const struct world *world, int64_t t_ns)
-{
-    return t_ns + world->head.delay_ns;
-}
-
-static int64_t guess_ns(const struct world *world, int64_t t_ns)
-{
-    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
-}
-
-static int64_t mark_ns(const struct world *world)
-{
-    return head_due_ns(&world->head);
-}
-
-static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
-{
-    return head_take(&world->head, t_ns, bytes);
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */
@@ -252,11 +202,10 @@ static void spoil(struct random *random, uint8_t *payload)
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
-    struct world *world = calloc(1, sizeof *world);
+    struct world *world = base_create(sizeof *world);
 
     (void)step_ns;
-    if (world == NULL)
-        abort();
+    world->base = (struct base){.head = &world->head, .sense = sense};
     world->lead = scenario->lead;
     world->robots = (struct robots){
         .gap_um = (int32_t)lround(scenario->lead.gap_m * 1e6),
@@ -275,34 +224,14 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     return world;
 }
 
-static void destroy(struct world *world)
-{
-    free(world);
-}
-
-static bool is_warm(const struct world *world)
-{
-    return head_is_warm(&world->head);
-}
-
-/* Times begin anew; the last pulse still counts. */
-static void servo_begin(struct world *world)
-{
-    double pulse_us = world->servo.pulse_us;
-
-    servo_init(&world->servo, world->levels[PIN_SERVO]);
-    world->servo.pulse_us = pulse_us;
-}
-
 static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
     world->started = true;
     world->now_ns = 0;
     memcpy(world->levels, levels, sizeof world->levels);
-    head_start(&world->head);
-    world->pace = (struct pace){0};
+    base_start(world);
     pwm_init(&world->pwm, 0, levels[PIN_PWM]);
-    servo_begin(world);
+    servo_restart(&world->servo, levels[PIN_SERVO]);
     note_demand(world);
 }
 
@@ -325,7 +254,7 @@ static void values(const struct world *world, double row[WORLD_COLUMNS])
     row[2] = world->robots.lead_mmps / 1e3;
     row[3] = world->accel_mmps2 / 1e3;
     row[4] = brake_pct(world);
-    row[5] = throttle_pct(world);
+    row[5] = servo_throttle_pct(&world->servo);
     row[6] = world->levels[PIN_STOP];
     row[7] = !world->levels[PIN_LAMP];
     row[8] = asks_for_lane(world);
@@ -360,16 +289,11 @@ const struct world_class follow_world = {
     .reported = reported,
     .reported_count = sizeof reported / sizeof reported[0],
     .create = create,
-    .destroy = destroy,
-    .is_warm = is_warm,
+    .destroy = base_destroy,
     .start = start,
     .pin_changed = pin_changed,
     .advance = advance,
-    .next_input = next_input,
-    .horizon_ns = horizon_ns,
-    .guess_ns = guess_ns,
-    .mark_ns = mark_ns,
-    .take_bytes = take_bytes,
+    BASE_HEAD_FUNCTIONS,
     .state_reported = state_reported,
     .is_over = is_over,
     .values = values,

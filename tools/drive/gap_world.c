@@ -1,21 +1,12 @@
 /* The gap controller's world: two cars on a lane, a head that measures gap and speeds, a brake that
  * follows the PWM and a throttle that follows a servo's pulses. */
-#include "world.h"
-
-#include "head.h"
-#include "pace.h"
-#include "rig.h"
+#include "base.h"
 #include "servo.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /* The frames of firmware/core/frame.h and gap.h: lengths in cm, speeds in cm/s. */
 enum { KIND = 2, PAYLOAD_BYTES = 8, GAP_MAX = 25000, SPEED_MAX = 5000, ACCEL_MAX = 1500 };
-
-/* Closed, and as strong as the brake. */
-static const double throttle_closed_us = 1000, throttle_full_us = 2000;
 
 static const double slope_s = 0.001; /* over which the head takes the lead's acceleration */
 
@@ -31,9 +22,9 @@ struct shape {
 };
 
 struct world {
+    struct base base;
     struct rig rig;
     struct head head;
-    struct pace pace;
     struct servo servo;
     struct shape shape;
 };
@@ -60,7 +51,7 @@ static double lead_accel_mps2(const struct car *car)
 }
 
 /* Without a car ahead: the end of the range, at the own speed. */
-static void measure_all(const struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
+static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
     const struct car *car = &world->rig.car;
     double lead_mps = car->lead_there ? car_lead_mps(car) : car->v_mps;
@@ -119,83 +110,31 @@ static void note_shape(struct world *world)
 
 static void advance(struct world *world, int64_t t_ns)
 {
-    int64_t blind_ns = head_blind_ns(&world->head);
-
     while (world->rig.started && world->shape.next_ns <= t_ns) {
         rig_advance(&world->rig, world->shape.next_ns);
         note_shape(world);
         world->shape.next_ns += SHAPE_NS;
     }
-    if (blind_ns <= t_ns) {
-        rig_advance(&world->rig, blind_ns);
-        rig_blind(&world->rig, true);
-    }
-    rig_advance(&world->rig, t_ns);
-}
-
-/* Without pulses it is closed. */
-static double throttle_pct(const struct world *world)
-{
-    double part =
-        (world->servo.pulse_us - throttle_closed_us) / (throttle_full_us - throttle_closed_us);
-
-    return fmin(fmax(part, 0), 1) * 100;
+    base_advance(world, t_ns);
 }
 
 static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
 {
-    uint8_t payload[HEAD_PAYLOAD_MAX];
-
     advance(world, t_ns);
     rig_pin(&world->rig, t_ns, pin, level);
     if (pin == PIN_SERVO && servo_edge(&world->servo, t_ns, level))
-        rig_throttle(&world->rig, throttle_pct(world));
-    if (pin != PIN_TRIGGER || !head_trigger(&world->head, t_ns, level))
-        return;
-    pace_note(&world->pace, t_ns);
-    measure_all(world, payload);
-    head_measured(&world->head, t_ns, payload);
-}
-
-static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
-                       bool *level)
-{
-    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
-    return false;
-}
-
-static int64_t horizon_ns(const struct world *world, int64_t t_ns)
-{
-    return t_ns + world->head.delay_ns;
-}
-
-static int64_t guess_ns(const struct world *world, int64_t t_ns)
-{
-    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
-}
-
-static int64_t mark_ns(const struct world *world)
-{
-    return head_due_ns(&world->head);
-}
-
-static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
-{
-    size_t count = head_take(&world->head, t_ns, bytes);
-
-    if (head_blind_ns(&world->head) == INT64_MAX)
-        rig_blind(&world->rig, false);
-    return count;
+        rig_throttle(&world->rig, servo_throttle_pct(&world->servo));
+    if (pin == PIN_TRIGGER)
+        base_trigger(world, t_ns, level);
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
-    struct world *world = calloc(1, sizeof *world);
+    struct world *world = base_create(sizeof *world);
 
-    if (world == NULL)
-        abort();
+    world->base = (struct base){.rig = &world->rig, .head = &world->head, .sense = measure_all};
     rig_init(&world->rig, scenario, step_ns);
     head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
     world->shape =
@@ -203,37 +142,12 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     return world;
 }
 
-static void destroy(struct world *world)
-{
-    free(world);
-}
-
-static bool is_warm(const struct world *world)
-{
-    return head_is_warm(&world->head);
-}
-
-/* Times begin anew; the last pulse still counts. */
 static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
-    double pulse_us = world->servo.pulse_us;
-
-    head_start(&world->head);
-    world->pace = (struct pace){0};
-    servo_init(&world->servo, levels[PIN_SERVO]);
-    world->servo.pulse_us = pulse_us;
-    rig_throttle(&world->rig, throttle_pct(world));
+    base_start(world);
+    servo_restart(&world->servo, levels[PIN_SERVO]);
+    rig_throttle(&world->rig, servo_throttle_pct(&world->servo));
     rig_start(&world->rig, levels);
-}
-
-static void state_reported(struct world *world, int64_t t_ns, const char *state)
-{
-    rig_state_reported(&world->rig, t_ns, state);
-}
-
-static bool is_over(const struct world *world)
-{
-    return rig_is_over(&world->rig);
 }
 
 static void values(const struct world *world, double row[WORLD_COLUMNS])
@@ -260,18 +174,12 @@ const struct world_class gap_world = {
     .reported = reported,
     .reported_count = sizeof reported / sizeof reported[0],
     .create = create,
-    .destroy = destroy,
-    .is_warm = is_warm,
+    .destroy = base_destroy,
     .start = start,
     .pin_changed = pin_changed,
     .advance = advance,
-    .next_input = next_input,
-    .horizon_ns = horizon_ns,
-    .guess_ns = guess_ns,
-    .mark_ns = mark_ns,
-    .take_bytes = take_bytes,
-    .state_reported = state_reported,
-    .is_over = is_over,
+    BASE_HEAD_FUNCTIONS,
+    BASE_RIG_FUNCTIONS,
     .values = values,
     .measure = measure,
 };

@@ -1,15 +1,11 @@
 /* The parking controller's world: a car that drives backwards while the stop line lets it, steered
  * by a servo, and a head that tells where it stands. */
-#include "world.h"
-
-#include "head.h"
-#include "pace.h"
+#include "base.h"
 #include "servo.h"
 #include "truck.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The frames of firmware/core/frame.h and park.h. */
@@ -21,9 +17,9 @@ static const double degree = M_PI / 180;
 static const double dwell_s = 0.3; /* what is shown of the car in its place */
 
 struct world {
+    struct base base;
     struct truck truck;
     struct head head;
-    struct pace pace;
     struct servo servo;
     bool levels[BOARD_OUTPUTS];
     bool started, arrived;
@@ -93,7 +89,7 @@ static long fit(double value)
     return lround(fmin(fmax(value, -32768), 32767));
 }
 
-static void measure_place(const struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
+static void measure_place(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
     head_put_16(payload, fit(world->truck.x_m * unit_per_m));
     head_put_16(payload + 2, fit(world->truck.y_m * unit_per_m));
@@ -115,8 +111,6 @@ static void spoil(struct random *random, uint8_t *payload)
 
 static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
 {
-    uint8_t payload[HEAD_PAYLOAD_MAX];
-
     advance(world, t_ns);
     world->levels[pin] = level;
     switch (pin) {
@@ -128,52 +122,20 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
         world->stop_toggles += world->started;
         break;
     case PIN_TRIGGER:
-        if (!head_trigger(&world->head, t_ns, level))
-            break;
-        pace_note(&world->pace, t_ns);
-        measure_place(world, payload);
-        head_measured(&world->head, t_ns, payload);
+        base_trigger(world, t_ns, level);
         break;
     default:
         break;
     }
 }
 
-static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
-                       bool *level)
-{
-    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
-    return false;
-}
-
-static int64_t horizon_ns(const struct world *world, int64_t t_ns)
-{
-    return t_ns + world->head.delay_ns;
-}
-
-static int64_t guess_ns(const struct world *world, int64_t t_ns)
-{
-    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
-}
-
-static int64_t mark_ns(const struct world *world)
-{
-    return head_due_ns(&world->head);
-}
-
-static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
-{
-    return head_take(&world->head, t_ns, bytes);
-}
-
 /* --- life and outcome --------------------------------------------------------------------- */
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
-    struct world *world = calloc(1, sizeof *world);
+    struct world *world = base_create(sizeof *world);
 
-    if (world == NULL)
-        abort();
+    world->base = (struct base){.head = &world->head, .sense = measure_place};
     world->truck = (struct truck){.x_m = scenario->park.x_m,
                                   .y_m = scenario->park.y_m,
                                   .heading_rad = scenario->park.heading_deg * degree,
@@ -190,22 +152,11 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     return world;
 }
 
-static void destroy(struct world *world)
-{
-    free(world);
-}
-
-static bool is_warm(const struct world *world)
-{
-    return head_is_warm(&world->head);
-}
-
 static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
     memcpy(world->levels, levels, sizeof world->levels);
-    world->pace = (struct pace){0};
     world->started = true;
-    head_start(&world->head);
+    base_start(world);
 }
 
 static void state_reported(struct world *world, int64_t t_ns, const char *state)
@@ -267,16 +218,11 @@ const struct world_class park_world = {
     .reported = reported,
     .reported_count = sizeof reported / sizeof reported[0],
     .create = create,
-    .destroy = destroy,
-    .is_warm = is_warm,
+    .destroy = base_destroy,
     .start = start,
     .pin_changed = pin_changed,
     .advance = advance,
-    .next_input = next_input,
-    .horizon_ns = horizon_ns,
-    .guess_ns = guess_ns,
-    .mark_ns = mark_ns,
-    .take_bytes = take_bytes,
+    BASE_HEAD_FUNCTIONS,
     .state_reported = state_reported,
     .is_over = is_over,
     .values = values,

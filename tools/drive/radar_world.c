@@ -1,14 +1,9 @@
 /* The radar controller's world: two cars on a road that may bend, a radar front end that answers
  * each trigger with a frame, a brake that follows the PWM, a throttle that can be cut. */
-#include "world.h"
-
-#include "head.h"
-#include "pace.h"
-#include "rig.h"
+#include "base.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* The frames of firmware/core/frame.h and radar.h. */
 enum { KIND = 1, PAYLOAD_BYTES = 13, FLAG_TARGET = 1, FLAG_SIGNED = 2 };
@@ -25,9 +20,9 @@ struct sight {
 };
 
 struct world {
+    struct base base;
     struct rig rig;
     struct head head;
-    struct pace pace;
     struct road road;
     struct front front;
     struct random random;
@@ -138,73 +133,25 @@ static void spoil(struct random *random, uint8_t *payload)
     }
 }
 
-/* --- time and pins ------------------------------------------------------------------------ */
-
-static void advance(struct world *world, int64_t t_ns)
-{
-    int64_t blind_ns = head_blind_ns(&world->head);
-
-    if (blind_ns <= t_ns) {
-        rig_advance(&world->rig, blind_ns);
-        rig_blind(&world->rig, true);
-    }
-    rig_advance(&world->rig, t_ns);
-}
+/* --- pins --------------------------------------------------------------------------------- */
 
 static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
 {
-    uint8_t payload[HEAD_PAYLOAD_MAX];
-
-    advance(world, t_ns);
+    base_advance(world, t_ns);
     rig_pin(&world->rig, t_ns, pin, level);
     if (pin == PIN_CUT && world->rig.started)
         car_cut(&world->rig.car, t_ns, level);
-    if (pin != PIN_TRIGGER || !head_trigger(&world->head, t_ns, level))
-        return;
-    pace_note(&world->pace, t_ns);
-    measure_all(world, payload);
-    head_measured(&world->head, t_ns, payload);
-}
-
-static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
-                       bool *level)
-{
-    (void)world, (void)until_ns, (void)t_ns, (void)pin, (void)level;
-    return false;
-}
-
-static int64_t horizon_ns(const struct world *world, int64_t t_ns)
-{
-    return t_ns + world->head.delay_ns;
-}
-
-static int64_t guess_ns(const struct world *world, int64_t t_ns)
-{
-    return pace_next_ns(&world->pace, t_ns) + world->head.delay_ns;
-}
-
-static int64_t mark_ns(const struct world *world)
-{
-    return head_due_ns(&world->head);
-}
-
-static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
-{
-    size_t count = head_take(&world->head, t_ns, bytes);
-
-    if (head_blind_ns(&world->head) == INT64_MAX)
-        rig_blind(&world->rig, false);
-    return count;
+    if (pin == PIN_TRIGGER)
+        base_trigger(world, t_ns, level);
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
-    struct world *world = calloc(1, sizeof *world);
+    struct world *world = base_create(sizeof *world);
 
-    if (world == NULL)
-        abort();
+    world->base = (struct base){.rig = &world->rig, .head = &world->head, .sense = measure_all};
     rig_init(&world->rig, scenario, step_ns);
     head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
     random_seed(&world->random, seed);
@@ -213,32 +160,11 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     return world;
 }
 
-static void destroy(struct world *world)
-{
-    free(world);
-}
-
-static bool is_warm(const struct world *world)
-{
-    return head_is_warm(&world->head);
-}
-
 static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
-    head_start(&world->head);
-    world->pace = (struct pace){0};
+    base_start(world);
     rig_start(&world->rig, levels);
     car_cut(&world->rig.car, 0, levels[PIN_CUT]);
-}
-
-static void state_reported(struct world *world, int64_t t_ns, const char *state)
-{
-    rig_state_reported(&world->rig, t_ns, state);
-}
-
-static bool is_over(const struct world *world)
-{
-    return rig_is_over(&world->rig);
 }
 
 static void values(const struct world *world, double row[WORLD_COLUMNS])
@@ -271,30 +197,19 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
            value[METRIC_MAX_BRAKE]);
 }
 
-static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
-{
-    rig_measure(&world->rig, t_ns, outcome);
-}
-
 const struct world_class radar_world = {
     .columns = columns,
     .column_count = sizeof columns / sizeof columns[0],
     .reported = reported,
     .reported_count = sizeof reported / sizeof reported[0],
     .create = create,
-    .destroy = destroy,
-    .is_warm = is_warm,
+    .destroy = base_destroy,
     .start = start,
     .pin_changed = pin_changed,
-    .advance = advance,
-    .next_input = next_input,
-    .horizon_ns = horizon_ns,
-    .guess_ns = guess_ns,
-    .mark_ns = mark_ns,
-    .take_bytes = take_bytes,
-    .state_reported = state_reported,
-    .is_over = is_over,
+    .advance = base_advance,
+    BASE_HEAD_FUNCTIONS,
+    BASE_RIG_FUNCTIONS,
     .values = values,
     .tell = tell,
-    .measure = measure,
+    .measure = base_measure,
 };

@@ -169,7 +169,8 @@ static void take_inputs(struct loop *loop, int64_t until_ns)
     enum board_pin pin;
     bool level;
 
-    while (loop->class->next_input(loop->world, until_ns, &t_ns, &pin, &level)) {
+    while (loop->class->next_input != NULL &&
+           loop->class->next_input(loop->world, until_ns, &t_ns, &pin, &level)) {
         if (t_ns < loop->now_ns - PAST_NS)
             loop->late = true;
         s51_set_pin(&loop->sim, loop->start_ns + t_ns, (int)pin - BOARD_OUTPUTS, level);

@@ -15,6 +15,12 @@ struct servo {
 
 void servo_init(struct servo *servo, bool level);
 
+/* Times begin anew, with the pin at LEVEL; the last pulse still counts. */
+void servo_restart(struct servo *servo, bool level);
+
+/* How far a throttle is open that is closed at 1 ms, or without pulses, and full at 2 ms. */
+double servo_throttle_pct(const struct servo *servo);
+
 /* The pin goes to LEVEL at T_NS. Returns true when the pulse is another than the one before. */
 bool servo_edge(struct servo *servo, int64_t t_ns, bool level);
 

@@ -45,7 +45,7 @@ struct world_class {
     /* The world runs until T_NS. */
     void (*advance)(struct world *world, int64_t t_ns);
 
-    /* Takes the next change of an input pin that is due until UNTIL_NS. */
+    /* Takes the next change of an input pin that is due until UNTIL_NS. NULL: none ever is. */
     bool (*next_input)(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,
                        bool *level);
 
