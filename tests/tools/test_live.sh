@@ -1,6 +1,6 @@
 #!/bin/bash
 # --live: a picture in a terminal, whose cursor comes back also after an interrupt; plain lines
-# elsewhere; and the same numbers as without it.
+# elsewhere; and the same numbers as without it. A car that parks has a yard in place of a road.
 set -u
 place=tests/tools/test_live.sh
 out=build/tests/live
@@ -39,4 +39,14 @@ say "not faster than real time" $? "$took_ms ms for $end_ms ms"
 TERM=xterm script -qec "timeout -s INT 0.8 $run --live" /dev/null >"$out/broken" 2>&1 </dev/null
 [ "$(grep -ao $'\033\[?25[lh]' "$out/broken" | tail -n 1)" = $'\033[?25h' ] && grep -q "interrupted" "$out/broken"
 say "an interrupt gives the cursor back" $? "$(tail -n 1 "$out/broken")"
+
+# The yard's last picture: 18 rows, in which the car stands in its place, and the way to there.
+yard="build/drive run --board stc89c516rd --scenario tests/loop/park/t2_right.scn --live"
+TERM=xterm script -qec "$yard" /dev/null 2>&1 </dev/null | tr -d '\r' | sed $'s/\033\\[K//' >"$out/yard"
+awk -v RS=$'\033\\[20A' 'END { print $0 }' "$out/yard" | head -n 20 >"$out/yard_last"
+[ "$(grep -c '\[.\]' "$out/yard_last")" -ge 2 ] && grep -q '\[|\]' "$out/yard_last" && grep -q '\[o\]' "$out/yard_last" &&
+    [ "$(tr -cd . <"$out/yard_last" | wc -c)" -ge 10 ] && sed -n 20p "$out/yard_last" | grep -q 'y   0.00 m .*ARRIVED'
+say "a yard to park in" $? "$(cat "$out/yard_last")"
+$yard | grep -q 'x .* m  y .* m  heading .*  steering .*  DRIVING'
+say "plain lines of a yard" $? "none"
 exit $failed

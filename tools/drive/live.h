@@ -1,9 +1,10 @@
-/* Shows a run while it goes on: road, gap, brake and state, redrawn in the terminal at the pace of
- * real time; plain lines when the output is no terminal. */
+/* Shows a run while it goes on: road, gap, brake and state, or a yard from above, redrawn in the
+ * terminal at the pace of real time; plain lines when the output is no terminal. */
 #ifndef FUZZY51_LIVE_H
 #define FUZZY51_LIVE_H
 
 #include "run.h"
+#include "yard.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -13,9 +14,11 @@ struct live {
     const struct world_class *class;
     FILE *out;
     bool is_terminal, is_utf8;
-    bool drawn; /* there is a picture to draw over */
+    bool is_yard;
+    int drawn; /* lines of the picture to draw over */
     int width;
     double view_m;  /* the road's length on the screen */
+    struct yard yard;
     double begin_s; /* of real time */
     int64_t next_ns;
 };
