@@ -64,10 +64,14 @@ FISTAB_SRC := $(wildcard tools/fistab/*.c) $(COMMON_SRC)
 DRIVE_SRC  := $(wildcard tools/drive/*.c) $(COMMON_SRC)
 DRIVE_LIBS := -linih -lcjson
 
-tools: build/fistab build/drive build/canary.ihx
+BOUND_SRC  := $(wildcard tools/bound/*.c) $(COMMON_SRC)
+
+tools: build/fistab build/drive build/bound build/canary.ihx
 
 build/fistab: $(FISTAB_SRC:%.c=build/host/%.o)
 	$(Q)$(CC) $(CFLAGS) $^ -lm -o $@
+build/bound: $(BOUND_SRC:%.c=build/host/%.o)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@
 build/drive: $(DRIVE_SRC:%.c=build/host/%.o)
 	$(Q)$(CC) $(CFLAGS) $^ $(DRIVE_LIBS) -lm -o $@
 # The laboratory: drive's world around control logic on the host, each law in a shared object.
@@ -106,6 +110,8 @@ build/boards.h: Makefile $(wildcard firmware/boards/*.mk)
 # modules, the one with main first, as SDCC's manual asks.
 ANY_MODULES   := $(addprefix core/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
 FRAME_MODULES := apps/frames $(ANY_MODULES) core/frame core/link mcu/head
+# The function of such a program that is one control step, from what came in to the pins.
+CONTROL_STEP   = $(if $(filter apps/brake,$($(1)_MODULES)),control_step,take_frame)
 
 brake_TABLE   := $(TABLE)
 BRAKE_MODULES := apps/brake $(ANY_MODULES) $(addprefix core/,brake closing range) mcu/echo mcu/uart
@@ -199,9 +205,11 @@ $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) -DAPP_NAME='"$(1)"' $($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
-$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES))
-	$$(Q)tools/check_isr.sh $$(^:.rel=.asm)
-	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
+$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
+	$$(Q)tools/check_isr.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
+	$$(Q)$(SDCC) $(SDCC_LINK) $$(filter %.rel,$$^) -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
+	$$(Q)build/bound --iram=$(IRAM_BYTES) --cycles=$(call CONTROL_STEP,$(1)) --round=main $$@ $$(@:.ihx=.map) \
+	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
 endef
 $(foreach app,$(APPS),$(eval $(call app_rules,$(app))))
 
@@ -283,12 +291,12 @@ define sanitized_library
 build/sanitized/lib$(1).a: $(patsubst %.c,build/sanitized/%.o,$(filter-out %/main.c,$(wildcard tools/$(1)/*.c)))
 	$$(Q)rm -f $$@; ar rcs $$@ $$^
 endef
-$(foreach tool,common fistab drive,$(eval $(call sanitized_library,$(tool))))
+$(foreach tool,common fistab drive bound,$(eval $(call sanitized_library,$(tool))))
 build/sanitized/tests/%.o: HOST_FLAGS += $(UNITY_FLAGS)
 build/sanitized/unity.o: $(UNITY)/unity.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g -O1 $(SANITIZE) -c $< -o $@
-$(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %,build/sanitized/lib%.a,fistab drive common)
+$(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %,build/sanitized/lib%.a,fistab drive bound common)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g $(SANITIZE) $^ $(DRIVE_LIBS) -lm -o $@
 

@@ -1,14 +1,16 @@
 #!/bin/sh
 # Says in one line what a linked program takes of its chip:
 #     tools/memory.sh BOARD APP        after the link of build/BOARD/APP.ihx
+# Of the stack it says what is there for it, and the most that any path through the program can take.
 set -eu
 [ $# -eq 2 ] || {
     echo "usage: memory.sh BOARD APP" >&2
     exit 2
 }
 mem=build/$1/$2.mem
+bound=build/$1/$2.bound
 fragment=firmware/boards/$1.mk
-for file in "$mem" "$fragment"; do
+for file in "$mem" "$bound" "$fragment"; do
     [ -r "$file" ] || {
         echo "$file: error: not there; run: make BOARD=$1" >&2
         exit 1
@@ -16,9 +18,10 @@ for file in "$mem" "$fragment"; do
 done
 iram=$(awk '$1 == "IRAM_BYTES" { print $3 }' "$fragment")
 awk -v board="$1" -v app="$2" -v iram="$iram" '
+$1 == "stack:" { taken = $4 }
 /^Stack starts at/ { stack = $(NF - 2) }
 $1 == "ROM/EPROM/FLASH" { code = $(NF - 1); room = $NF }
 END {
-    printf "%-12s %-12s code %5d of %5d bytes, RAM %3d of %3d bytes, which leaves %3d for the stack\n",
-        board, app, code, room, iram - stack, iram, stack
-}' "$mem"
+    printf "%-12s %-12s code %5d of %5d bytes, RAM %3d of %3d bytes, which leaves %3d for the stack, which takes at most %d\n",
+        board, app, code, room, iram - stack, iram, stack, taken
+}' "$bound" "$mem"

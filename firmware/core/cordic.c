@@ -22,24 +22,24 @@ void cordic_to_polar(int16_t across, int16_t along)
     uint8_t step;
 
     /* A near point is enlarged first: its steps would be lost below the last bit. */
-    while (enlarged < ENLARGED_MAX && x < CORDIC_ALONG_MAX / 2 && y < CORDIC_ACROSS_MAX / 2) {
+    while (enlarged < ENLARGED_MAX && x < CORDIC_ALONG_MAX / 2 && y < CORDIC_ACROSS_MAX / 2) { /* rounds: 4 */
         x = (uint16_t)(x << 1);
         y = (int16_t)(y << 1);
         enlarged++;
     }
-    for (step = 0; step < STEPS; step++) {
-        uint16_t x_part = (uint16_t)(x >> step);
+    for (step = 0; step < STEPS; step++) { /* rounds: 13 */
+        uint16_t x_part = (uint16_t)(x >> step); /* rounds: 12 */
 
         if (y >= 0) {
-            x = (uint16_t)(x + (y >> step));
+            x = (uint16_t)(x + (y >> step)); /* rounds: 12 */
             y = (int16_t)(y - x_part);
             angle = (int16_t)(angle + step_angle[step]);
         } else {
-            x = (uint16_t)(x + (-y >> step));
+            x = (uint16_t)(x + (-y >> step)); /* rounds: 12 */
             y = (int16_t)(y + x_part);
             angle = (int16_t)(angle - step_angle[step]);
         }
     }
-    cordic_polar.length = (uint16_t)(x >> enlarged);
+    cordic_polar.length = (uint16_t)(x >> enlarged); /* rounds: 4 */
     cordic_polar.angle = (int16_t)(mirrored ? -angle : angle);
 }

@@ -25,7 +25,7 @@ static uint8_t first_cell(int16_t value, const int16_t __code *threshold, uint8_
 {
     uint8_t cell = 0;
 
-    while (cell < thresholds && value > threshold[cell])
+    while (cell < thresholds && value > threshold[cell]) /* rounds: 4 */
         cell++;
     last_cell = cell;
     if (cell < thresholds && value == threshold[cell])
@@ -49,9 +49,9 @@ void follow_look_up(void)
     uint8_t gap, closing, change, level;
 
     /* The mean of a row of maxima is the middle of its ends. */
-    for (gap = gap_first; gap <= gap_last; gap++) {
-        for (closing = closing_first; closing <= closing_last; closing++) {
-            for (change = change_first; change <= change_last; change++) {
+    for (gap = gap_first; gap <= gap_last; gap++) { /* rounds: 2 */
+        for (closing = closing_first; closing <= closing_last; closing++) { /* rounds: 2 */
+            for (change = change_first; change <= change_last; change++) { /* rounds: 2 */
                 level = lut_at3(gap, closing, change);
                 if (level < command_least)
                     command_least = level;

@@ -89,7 +89,7 @@ static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
             rest -= h_cs;
             bits |= 1;
         }
-    } while (--left != 0);
+    } while (--left != 0); /* rounds: 13 */
     return bits & 0x1FFFU;
 }
 

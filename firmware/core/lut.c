@@ -129,6 +129,6 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
         if (byte == (const uint8_t __code *)lut_out1 + sizeof lut_out1)
             byte = (const uint8_t __code *)lut_out2;
 #endif
-    } while (--count != 0);
+    } while (--count != 0); /* rounds: 16, a slice of selftest.c */
     return (uint16_t)((uint16_t)(high << 8) | low);
 }

@@ -33,9 +33,9 @@ static char next_decimal(void)
     char digit = '0';
 
     for (;;) {
-        uint16_t step = POWERS[power];
+        uint16_t step = POWERS[power]; /* rounds: 5 */
 
-        while (number >= step) {
+        while (number >= step) { /* rounds: 9 */
             number -= step;
             digit++;
         }
@@ -84,7 +84,7 @@ static void take(char conversion)
 
 char telemetry_next(void)
 {
-    while (rest != 0) {
+    while (rest != 0) { /* rounds: 3, past an empty text */
         char c;
 
         if (power != DECIMAL_END) {

@@ -23,7 +23,7 @@ void hal_trigger(void)
     TH0 = 0;
     pin_trigger = 1;
     do {
-    } while (--turns != 0);
+    } while (--turns != 0); /* rounds: 7 */
     pin_trigger = 0;
     was_high = pin_echo;
     IE0 = 0;

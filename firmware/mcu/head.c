@@ -39,7 +39,7 @@ void hal_trigger(void)
 
     pin_trigger = 1;
     do {
-    } while (--turns != 0);
+    } while (--turns != 0); /* rounds: 7 */
     pin_trigger = 0;
 }
 

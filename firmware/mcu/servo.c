@@ -55,7 +55,7 @@ static void start(void)
     do {
         high = TH1;
         low = TL1;
-    } while (high != TH1);
+    } while (high != TH1); /* rounds: 1, as it stays for 256 cycles */
     /* The PWM's timer is that far from its next edge; this one overflows OFFSET_MC after it. */
     TMOD = (TMOD & 0xF0) | T0_M0; /* 16 bits */
     reload = (uint16_t)(((uint16_t)high << 8) | low) - OFFSET_MC;

@@ -68,7 +68,7 @@ static bool test_ram(void)
         }
         *cell = kept;
         byte--;
-    } while ((uint8_t)byte >= 8);
+    } while ((uint8_t)byte >= 8); /* rounds: 248 */
     return true;
 }
 
@@ -79,7 +79,7 @@ static void paint_stack(void)
     do {
         *byte = STACK_PAINT;
         byte++;
-    } while ((uint8_t)byte != 0);
+    } while ((uint8_t)byte != 0); /* rounds: 248 */
 }
 
 void hal_init(void)
@@ -109,7 +109,7 @@ uint8_t hal_stack_unused(void)
     uint8_t __idata *byte = (uint8_t __idata *)RAM_TOP;
     uint8_t unused = 0;
 
-    while (*byte == STACK_PAINT) {
+    while (*byte == STACK_PAINT) { /* rounds: 248 */
         byte--;
         unused++;
     }

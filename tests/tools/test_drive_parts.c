@@ -2,7 +2,7 @@
  * hexfile.c, board.c, and the grid of s51.c. */
 #include "drive/board.h"
 #include "drive/expect.h"
-#include "drive/hexfile.h"
+#include "common/hexfile.h"
 #include "drive/pwm.h"
 #include "drive/s51.h"
 #include "drive/telemetry.h"
