@@ -32,7 +32,7 @@ $(error no board '$(BOARD)'; the boards are: $(BOARDS))
 endif
 endif
 
-.PHONY: all tools firmware demo bench report test help clean deps
+.PHONY: all tools firmware demo bench report test test-long help clean deps
 all: tools firmware
 
 help:
@@ -42,6 +42,7 @@ help:
 	@echo "make report          every controller on every scenario, as build/report/index.html; knobs: BOARD, JOBS,"
 	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
 	@echo "make test            all tests; ends with 'N passed, N failed'"
+	@echo "make test-long       ten minutes at the stop line on each board, and all drives with the smooth estimator"
 	@echo "make flash BOARD=NAME PORT=DEVICE   writes APP=$(strip $(APP)) to a chip"
 	@echo "make bench           cycles, bytes and stack of each app; the estimators in the loop; fistab beside fuzzylite;"
 	@echo "                     drive beside free s51"
@@ -378,7 +379,15 @@ TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(C
     $(foreach law,$(LAWS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),stc89c516rd) tests/loop/$(law)') \
     $(patsubst %,'tests/run_loop.sh stc89c516rd %',$(if $(filter-out stc89c516rd,$(BOARD)),,$(SISTER_LOOPS)))
 
-.PHONY: run-test
+# What takes longer than one likes to wait: ten simulated minutes on each board, and every drive of the
+# brake with the other estimator.
+LONG_SUITES := $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) \
+    'IMAGE=build/smooth/brake.ihx tests/run_loop.sh stc89c516rd'
+
+.PHONY: run-test run-test-long
+run-test-long: all
+	@$(MAKE) BOARD=stc89c516rd ESTIMATOR=smooth OUT=build/smooth build/smooth/brake.ihx
+	@tests/run.sh $(LONG_SUITES)
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(TEST_SUITES)
 
@@ -412,8 +421,8 @@ run-bench: all $(LUT_IMAGES)
 	@for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench; done
 
 # --- targets that install what they need first -------------------------------------------------
-demo fuzz report test:
-	@tools/deps.sh $@
+demo fuzz report test test-long:
+	@tools/deps.sh $(@:-long=)
 	@$(MAKE) run-$@
 
 # What bench prints stays for the report's page.

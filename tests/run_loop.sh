@@ -1,11 +1,12 @@
 #!/bin/bash
-# Runs all scenarios of a folder on one board: the firmware of the app that each names, or of $APP; prints
-# a test line for each stated outcome, two runs at a time.
+# Runs all scenarios of a folder on one board: the firmware of the app that each names, of $APP, or in the
+# file $IMAGE; prints a test line for each stated outcome, two runs at a time.
 #     tests/run_loop.sh BOARD [DIR]        DIR: tests/loop
 set -u
 board=${1:?usage: tests/run_loop.sh BOARD [DIR]}
 folder=${2:-tests/loop}
-image=${APP:+--hex=build/$board/$APP.ihx}
+file=${IMAGE:-${APP:+build/$board/$APP.ihx}}
+image=${file:+--hex=$file}
 
 run_one() {
     log=$(mktemp)
