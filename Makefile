@@ -191,7 +191,7 @@ else
 include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
-SDCC_FLAGS := -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
+SDCC_FLAGS := --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) -DFAULT_PCT=$(FAULT_PCT) -DBOARD_NAME='"$(BOARD)"' \
     $(foreach pin,$(DRIVE_PINS),-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
@@ -207,7 +207,7 @@ $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) -DAPP_NAME='"$(1)"' $($(1)_FLAGS) -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
-	$$(Q)tools/check_isr.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
+	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
 	$$(Q)$(SDCC) $(SDCC_LINK) $$(filter %.rel,$$^) -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
 	$$(Q)build/bound --iram=$(IRAM_BYTES) --cycles=$(call CONTROL_STEP,$(1)) --round=main $$@ $$(@:.ihx=.map) \
 	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
@@ -228,7 +228,7 @@ $(foreach app,$(APPS),$(eval $(call bench_rules,$(app))))
 # Images for tests and bench: one file of theirs in place of apps/brake.
 $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(filter-out apps/brake,$(brake_MODULES)))
 	@mkdir -p $(@D)
-	$(Q)tools/check_isr.sh $(^:.rel=.asm)
+	$(Q)tools/check_asm.sh $(^:.rel=.asm)
 	$(Q)$(SDCC) $(SDCC_LINK) $^ -o $@
 
 # The flasher that suits the chip, its wiring and, when it is missing, where to get it.

@@ -47,13 +47,13 @@ struct source {
     long rounds;
 };
 
-/* ";	FILE:LINE: TEXT" begins a source line. */
+/* ";	FILE:LINE: TEXT" begins a source line; ";	[registers] ic:NUMBER: ..." does not. */
 static void read_source(struct source *source, const char *comment)
 {
     const char *colon = strchr(comment, ':'), *bound = strstr(comment, "rounds: ");
     const char *end = colon == NULL ? NULL : strchr(colon + 1, ':');
 
-    if (end == NULL || end == colon + 1 || strspn(colon + 1, "0123456789") != (size_t)(end - colon - 1))
+    if (comment[0] == '[' || end == NULL || end == colon + 1 || strspn(colon + 1, "0123456789") != (size_t)(end - colon - 1))
         return;
     free(source->place);
     source->place = copy(comment, (size_t)(end - comment));

@@ -1,13 +1,17 @@
 #!/bin/sh
-# Refuses interrupt routines that are not safe on an 8051:
-#     tools/check_isr.sh FILE.asm...        all of one program, as SDCC left them
-# An interrupt must call nothing (it would share the callee's fixed parameters and locals with main),
+# Refuses what SDCC 4.2.0 compiles without a word and what the chip then does wrong:
+#     tools/check_asm.sh FILE.asm...        all of one program, compiled with --i-code-in-asm
+# Interrupts: one must call nothing (it would share the callee's fixed parameters and locals with main),
 # must not touch an overlay segment (whose bytes belong to whatever main was running), and needs its
-# vector (SDCC sets it only if main's file sees the prototype; else it links, and never runs). SDCC
-# says nothing about any of the three. Exit status 1 if one is found.
+# vector (SDCC sets it only if main's file sees the prototype; else it links, and never runs).
+# Stores: `lamp.is_on = n == 2;` stores nothing where the right side is a bare ==, < or > and the left
+# side is a bool in near memory reached through an address: a struct's member, an array's element. The
+# result stays in the carry; SDCC's intermediate code shows it as a bit that has no place. (Fine are
+# plain variables, xdata, generic pointers, and !=, <=, >=, !, && and ||.)
+# Exit status 1 if one is found.
 set -eu
 [ $# -gt 0 ] || {
-    echo "usage: check_isr.sh FILE.asm..." >&2
+    echo "usage: check_asm.sh FILE.asm..." >&2
     exit 2
 }
 exec awk '
@@ -15,12 +19,17 @@ function complain(place, what) {
     printf "%s: error: %s\n", place, what | "cat >&2"
     failed = 1
 }
-FNR == 1 { function_name = ""; area = "" }
+FNR == 1 { function_name = ""; area = ""; source = "" }
+/^;\t[^[][^:]*:[0-9]+:/ { match($0, /:[0-9]+:/); source = substr($0, 3, RSTART + RLENGTH - 4) }
+/^;\t\[.*\] ic:[0-9]+:/ { has_icode[FILENAME] = 1 }
+/ ic:[0-9]+:[ \t]+\*\(.* (near|idata)\* .*\) := .*\{bit fixed\}$/ {
+    complain(source, "SDCC loses the store of this comparison; write: if (...) it = true; else it = false;")
+}
 { sub(/;.*/, "") }
 $1 == ".area" { area = $2; function_name = ""; next }
 area == "OSEG" && /^_[A-Za-z0-9_]+:/ { sub(/:.*/, ""); overlay[$1] = 1; next }
 area == "HOME" && $1 == "ljmp" { vector[$2] = 1; next }
-/^_[A-Za-z0-9_]+::?/ && area == "CSEG" { sub(/:.*/, ""); function_name = $1; next }
+/^_[A-Za-z0-9_]+::?/ && area == "CSEG" { sub(/:.*/, ""); function_name = $1; functions[FILENAME] = 1; next }
 function_name != "" && NF > 0 {
     lines[function_name] = lines[function_name] FILENAME ":" FNR "\t" $0 "\n"
     if ($1 == "reti") {
@@ -28,6 +37,11 @@ function_name != "" && NF > 0 {
     }
 }
 END {
+    for (file in functions) {
+        if (!(file in has_icode)) {
+            complain(file, "no intermediate code, so lost stores do not show; compile with --i-code-in-asm")
+        }
+    }
     for (name in interrupts) {
         plain = substr(name, 2)
         if (!(name in vector)) {
