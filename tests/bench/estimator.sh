@@ -203,7 +203,7 @@ cat <<'END'
             noise  ings   noise    lag  hold    ramp    of more than    1 m   0.5 m   0.2 m:
 estimator      cm  lost     m/s      s     points       2       3     brake rises/falls by points
 END
-most=0
+most=0 where='all cases'
 for estimator in difference smooth; do
     for condition in "${conditions[@]}"; do
         line=$(figures "$estimator" "$condition")
