@@ -34,6 +34,52 @@ static void test_that_the_firmware_reads_what_the_head_writes(void)
     TEST_ASSERT_EQUAL_MEMORY(payload, frame_body, sizeof payload);
 }
 
+/* Answers that come out silent, of ten at 0, 1, 2 .. 9 s, as a row of letters. */
+static const char *bad_answers(const struct frame_fault *first, const struct frame_fault *second)
+{
+    static struct scenario scenario;
+    static char row[11];
+    struct head head;
+
+    memset(&scenario, 0, sizeof scenario);
+    for (int i = 0; i < SCENARIO_FAULTS; i++)
+        scenario.frames[i].kind = -1;
+    scenario.frames[0] = *first;
+    if (second != NULL)
+        scenario.frames[1] = *second;
+    head_init(&head, &scenario, 1, FRAME_PARK, sizeof payload, spoil);
+    for (int i = 0; i < 10; i++) {
+        uint8_t line[HEAD_LINE_MAX];
+
+        head_measured(&head, i * 1000000000LL, payload);
+        row[i] = head_take(&head, i * 1000000000LL, line) == 0 ? 'x' : '.';
+    }
+    return row;
+}
+
+static void test_that_a_schedule_says_which_frames_are_bad(void)
+{
+    struct frame_fault fault = {FRAME_SILENCE, 0, -1, 1, 4, 1};
+
+    TEST_ASSERT_EQUAL_STRING("x...x...x.", bad_answers(&fault, NULL));
+    fault.first = 3;
+    TEST_ASSERT_EQUAL_STRING("..x...x...", bad_answers(&fault, NULL));
+    fault.first = 9; /* beyond the first round */
+    TEST_ASSERT_EQUAL_STRING("........x.", bad_answers(&fault, NULL));
+    fault.every = fault.first = 1;
+    TEST_ASSERT_EQUAL_STRING("xxxxxxxxxx", bad_answers(&fault, NULL));
+}
+
+/* Frames are counted from the fault's own time on, and each fault counts for itself. */
+static void test_that_a_schedule_counts_within_its_time(void)
+{
+    const struct frame_fault late = {FRAME_SILENCE, 2, 5, 1, 3, 2};
+    const struct frame_fault even = {FRAME_SILENCE, 0, -1, 1, 4, 2};
+
+    TEST_ASSERT_EQUAL_STRING("...x..x...", bad_answers(&late, NULL));
+    TEST_ASSERT_EQUAL_STRING(".x.x.xx..x", bad_answers(&late, &even));
+}
+
 /* A hundred thousand frames, each spoilt in one way: what comes out good is what was meant. */
 static void test_that_no_bad_frame_comes_out_with_another_payload(void)
 {
@@ -48,7 +94,7 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
         memset(&scenario, 0, sizeof scenario);
         for (int i = 0; i < SCENARIO_FAULTS; i++)
             scenario.frames[i].kind = -1;
-        scenario.frames[0] = (struct frame_fault){kinds[k], 0, -1, 0.5};
+        scenario.frames[0] = (struct frame_fault){kinds[k], 0, -1, 0.5, -1, 1};
         head_init(&head, &scenario, 7 + k, FRAME_PARK, sizeof payload, spoil);
         for (int64_t t_ns = 1000000; t_ns < 20000 * 1000000LL; t_ns += 1000000) {
             uint8_t line[HEAD_LINE_MAX];
@@ -71,6 +117,8 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_that_the_firmware_reads_what_the_head_writes);
+    RUN_TEST(test_that_a_schedule_says_which_frames_are_bad);
+    RUN_TEST(test_that_a_schedule_counts_within_its_time);
     RUN_TEST(test_that_no_bad_frame_comes_out_with_another_payload);
     return UNITY_END();
 }

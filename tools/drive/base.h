@@ -18,6 +18,11 @@ struct base {
     void (*sense)(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX]);
 };
 
+/* For the class of each world: what its trace shows, from arrays of that world. */
+#define BASE_TRACE(column_array, reported_array)                                                   \
+    .columns = column_array, .column_count = sizeof column_array / sizeof column_array[0],         \
+    .reported = reported_array, .reported_count = sizeof reported_array / sizeof reported_array[0]
+
 /* SIZE bytes of zeros, of which the first are the base. */
 struct world *base_create(size_t size);
 void base_destroy(struct world *world);

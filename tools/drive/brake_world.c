@@ -145,10 +145,7 @@ static void values(const struct world *world, double row[WORLD_COLUMNS])
 }
 
 const struct world_class brake_world = {
-    .columns = columns,
-    .column_count = sizeof columns / sizeof columns[0],
-    .reported = reported,
-    .reported_count = sizeof reported / sizeof reported[0],
+    BASE_TRACE(columns, reported),
     .create = create,
     .destroy = destroy,
     .start = start,

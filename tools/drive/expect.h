@@ -23,11 +23,13 @@
     METRIC(FINAL_BRAKE, "final_brake_pct", "%", 1, KIND_NUMBER)                                    \
     METRIC(FULL_BRAKE_WITHIN, "full_brake_within_s", "s", 3, KIND_NUMBER)                          \
     METRIC(BLIND_FALL, "blind_brake_fall_pct", "%", 1, KIND_NUMBER) /* while readings miss */      \
+    METRIC(BLIND_RISE, "blind_brake_rise_pct", "%", 1, KIND_NUMBER) /* the same upwards */         \
     METRIC(DUTY_STEPS, "duty_steps_per_s", "1/s", 2, KIND_NUMBER)   /* of more than 2 points */    \
     METRIC(STOP_TOGGLES, "stop_toggles", "", 0, KIND_COUNT)         /* changes of the stop line */ \
     METRIC(STOP_ON, "stop_on_s", "s", 3, KIND_NUMBER)               /* stop line high, in all */   \
     METRIC(RELEASE_WITHIN, "release_within_s", "s", 3, KIND_NUMBER) /* stop line low for good */   \
     METRIC(FAULT_WITHIN, "fault_within_s", "s", 3, KIND_NUMBER)     /* FAULT reported */           \
+    METRIC(ALARM_WITHIN, "alarm_within_s", "s", 3, KIND_NUMBER)     /* buzzer goes on */           \
     METRIC(WARNING_LEAD, "warning_lead_s", "s", 3, KIND_NUMBER)     /* before hard braking */      \
     METRIC(WARNINGS, "warnings", "", 0, KIND_COUNT)                 /* lamp or buzzer goes on */   \
     METRIC(RESETS, "resets", "", 0, KIND_COUNT)                     /* by the watchdog */          \

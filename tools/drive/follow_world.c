@@ -27,8 +27,9 @@ struct world {
     double accel_mmps2; /* of the last step */
     /* what is measured */
     double max_brake_pct, min_brake_pct, counted_pct, duty_steps, stop_toggles;
-    double asked_s, changed_s, first_fault_s, warnings, impact_mps, rest_s;
-    double seen_pct, blind_fall_pct, blind_asks; /* on bad frames; seen_pct: before them */
+    double asked_s, changed_s, first_fault_s, alarm_s, warnings, impact_mps, rest_s;
+    /* on bad frames; seen_pct: before them */
+    double seen_pct, blind_fall_pct, blind_rise_pct, blind_asks;
 };
 
 static const struct world_column columns[] = {
@@ -66,10 +67,12 @@ static void note_demand(struct world *world)
     double brake = brake_pct(world);
     double demand = brake > 0 ? brake : -servo_throttle_pct(&world->servo);
 
-    if (is_blind(world))
+    if (is_blind(world)) {
         world->blind_fall_pct = fmax(world->blind_fall_pct, world->seen_pct - demand);
-    else
+        world->blind_rise_pct = fmax(world->blind_rise_pct, demand - world->seen_pct);
+    } else {
         world->seen_pct = demand;
+    }
     world->max_brake_pct = fmax(world->max_brake_pct, brake);
     if (world->now_ns >= world->event_ns)
         world->min_brake_pct = fmin(world->min_brake_pct, brake);
@@ -173,6 +176,8 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
     case PIN_LAMP:
     case PIN_BUZZER:
         world->warnings += !level;
+        if (!level && pin == PIN_BUZZER && t_ns >= world->event_ns)
+            world->alarm_s = fmin(world->alarm_s, seconds(t_ns));
         break;
     default:
         break;
@@ -184,20 +189,10 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
 
 static void spoil(struct random *random, uint8_t *payload)
 {
-    switch ((int)(random_uniform(random) * 4)) {
-    case 0:
-        head_put_16(payload, GAP_MAX_MM + 1);
-        break;
-    case 1:
-        head_put_16(payload + 2, SPEED_MAX_MMPS + 1);
-        break;
-    case 2:
-        head_put_16(payload + 4, 65535);
-        break;
-    default:
-        payload[6] = 2;
-        break;
-    }
+    static const struct head_value impossible[] = {
+        {0, 2, GAP_MAX_MM + 1}, {2, 2, SPEED_MAX_MMPS + 1}, {4, 2, 65535}, {6, 1, 2}};
+
+    head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
 }
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
@@ -220,7 +215,8 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     world->event_ns = (int64_t)llround(scenario->event_s * 1e9);
     world->hold_s = scenario->hold_s;
     world->min_brake_pct = INFINITY;
-    world->asked_s = world->changed_s = world->first_fault_s = world->rest_s = INFINITY;
+    world->asked_s = world->changed_s = world->first_fault_s = INFINITY;
+    world->alarm_s = world->rest_s = INFINITY;
     return world;
 }
 
@@ -274,6 +270,8 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     value[METRIC_MIN_BRAKE] = world->min_brake_pct;
     value[METRIC_FINAL_BRAKE] = brake_pct(world);
     value[METRIC_BLIND_FALL] = world->blind_fall_pct;
+    value[METRIC_BLIND_RISE] = world->blind_rise_pct;
+    value[METRIC_ALARM_WITHIN] = world->alarm_s - since_s;
     value[METRIC_BLIND_ASKS] = world->blind_asks;
     value[METRIC_DUTY_STEPS] = world->duty_steps / seconds(t_ns);
     value[METRIC_STOP_TOGGLES] = world->stop_toggles;
@@ -284,10 +282,7 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
 }
 
 const struct world_class follow_world = {
-    .columns = columns,
-    .column_count = sizeof columns / sizeof columns[0],
-    .reported = reported,
-    .reported_count = sizeof reported / sizeof reported[0],
+    BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,
     .start = start,

@@ -64,23 +64,13 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 
 static void spoil(struct random *random, uint8_t *payload)
 {
-    switch ((int)(random_uniform(random) * 5)) {
-    case 0:
-        head_put_16(payload, GAP_MAX + 1);
-        break;
-    case 1:
-        head_put_16(payload + 2, SPEED_MAX + 1);
-        break;
-    case 2:
-        head_put_16(payload + 4, 65535);
-        break;
-    case 3:
-        head_put_16(payload + 6, ACCEL_MAX + 1);
-        break;
-    default:
-        head_put_16(payload + 6, -32768);
-        break;
-    }
+    static const struct head_value impossible[] = {{0, 2, GAP_MAX + 1},
+                                                   {2, 2, SPEED_MAX + 1},
+                                                   {4, 2, 65535},
+                                                   {6, 2, ACCEL_MAX + 1},
+                                                   {6, 2, -32768}};
+
+    head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
 }
 
 /* --- time and pins ------------------------------------------------------------------------ */
@@ -169,10 +159,7 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
 }
 
 const struct world_class gap_world = {
-    .columns = columns,
-    .column_count = sizeof columns / sizeof columns[0],
-    .reported = reported,
-    .reported_count = sizeof reported / sizeof reported[0],
+    BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,
     .start = start,

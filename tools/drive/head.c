@@ -58,9 +58,20 @@ size_t head_encode(int kind, int count, const uint8_t *payload, int payload_byte
 
 /* --- bad frames --------------------------------------------------------------------------- */
 
-/* The fault that this answer suffers, or NULL. */
+/* Whether a fault whose time it is strikes the answer that is its COUNT-th. */
+static bool strikes(struct head *head, const struct frame_fault *fault, int count)
+{
+    int past = count - (int)fault->first;
+
+    if (fault->every < 0)
+        return random_uniform(&head->random) < fault->share;
+    return past >= 0 && past % (int)fault->every == 0;
+}
+
+/* The fault that this answer suffers, or NULL: the first of those that strike it. */
 static const struct frame_fault *fault_now(struct head *head, int64_t t_ns)
 {
+    const struct frame_fault *found = NULL;
     double t_s = (double)t_ns * 1e-9;
 
     if (head->warm_left > 0)
@@ -68,12 +79,14 @@ static const struct frame_fault *fault_now(struct head *head, int64_t t_ns)
     for (int i = 0; i < SCENARIO_FAULTS; i++) {
         const struct frame_fault *fault = &head->faults[i];
 
-        if (fault->kind >= 0 && t_s >= fault->from_s &&
-            (fault->for_s < 0 || t_s < fault->from_s + fault->for_s) &&
-            random_uniform(&head->random) < fault->share)
-            return fault;
+        if (fault->kind < 0 || t_s < fault->from_s ||
+            (fault->for_s >= 0 && t_s >= fault->from_s + fault->for_s))
+            continue;
+        head->answers[i]++;
+        if (found == NULL && strikes(head, fault, head->answers[i]))
+            found = fault;
     }
-    return NULL;
+    return found;
 }
 
 static size_t pick(struct head *head, size_t count)
@@ -103,6 +116,17 @@ static void corrupt(struct head *head, uint8_t *line, size_t size)
         for (size_t flips = 1 + pick(head, 3); flips > 0; flips--)
             line[pick(head, size)] ^= (uint8_t)(1u << pick(head, 8));
     while (memcmp(good, line, size) == 0);
+}
+
+void head_spoil_one(struct random *random, uint8_t *payload, const struct head_value *values,
+                    int count)
+{
+    const struct head_value *one = &values[(int)(random_uniform(random) * count)];
+
+    if (one->bytes == 2)
+        head_put_16(payload + one->at, one->value);
+    else
+        payload[one->at] = (uint8_t)one->value;
 }
 
 /* Spoils the good frame of SIZE bytes in LINE. Returns how many bytes are to be sent. */

@@ -20,11 +20,22 @@ enum {
 /* Makes one value of the payload impossible, whichever RANDOM picks. */
 typedef void head_spoil_fn(struct random *random, uint8_t *payload);
 
+/* A value of one or two bytes in a payload. */
+struct head_value {
+    int at, bytes;
+    long value;
+};
+
+/* Puts one of COUNT values into the payload, whichever RANDOM picks. */
+void head_spoil_one(struct random *random, uint8_t *payload, const struct head_value *values,
+                    int count);
+
 struct head {
     int kind; /* of frame.h */
     int payload_bytes;
     int64_t delay_ns; /* from the trigger's end to the first byte */
     struct frame_fault faults[SCENARIO_FAULTS];
+    int answers[SCENARIO_FAULTS]; /* in the fault's time so far */
     struct random random;
     head_spoil_fn *spoil;
     int64_t rise_ns; /* of the trigger; INT64_MAX: it has not risen yet */

@@ -26,7 +26,7 @@ struct world {
     int64_t now_ns, step_ns;
     double event_s, full_steer_rad;
     double steer_rad, seen_rad; /* now; while frames were good */
-    double arrived_s, end_x_m, end_turn_rad, stood_s, first_fault_s;
+    double arrived_s, end_x_m, end_turn_rad, stood_s, first_fault_s, alarm_s;
     double blind_steer_rad, stop_toggles;
 };
 
@@ -98,13 +98,10 @@ static void measure_place(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX]
 
 static void spoil(struct random *random, uint8_t *payload)
 {
-    static const struct {
-        int at;
-        long value;
-    } impossible[] = {{0, 20481}, {0, -20481}, {2, 20481}, {2, -513}, {2, -32768}};
-    size_t pick = (size_t)(random_uniform(random) * 5);
+    static const struct head_value impossible[] = {
+        {0, 2, 20481}, {0, 2, -20481}, {2, 2, 20481}, {2, 2, -513}, {2, 2, -32768}};
 
-    head_put_16(payload + impossible[pick].at, impossible[pick].value);
+    head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
 }
 
 /* --- pins --------------------------------------------------------------------------------- */
@@ -120,6 +117,10 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
         break;
     case PIN_STOP:
         world->stop_toggles += world->started;
+        break;
+    case PIN_BUZZER:
+        if (!level && world->started && now_s(world) >= world->event_s)
+            world->alarm_s = fmin(world->alarm_s, now_s(world));
         break;
     case PIN_TRIGGER:
         base_trigger(world, t_ns, level);
@@ -144,7 +145,7 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     world->full_steer_rad = scenario->park.steer_deg * degree;
     world->event_s = scenario->event_s;
     world->step_ns = step_ns;
-    world->arrived_s = world->stood_s = world->first_fault_s = INFINITY;
+    world->arrived_s = world->stood_s = world->first_fault_s = world->alarm_s = INFINITY;
     world->end_x_m = world->end_turn_rad = INFINITY;
     memset(world->levels, true, sizeof world->levels);
     servo_init(&world->servo, true);
@@ -209,14 +210,12 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     value[METRIC_STOP_WITHIN] = world->stood_s - world->event_s;
     value[METRIC_STOP_TOGGLES] = world->stop_toggles;
     value[METRIC_FAULT_WITHIN] = world->first_fault_s - world->event_s;
+    value[METRIC_ALARM_WITHIN] = world->alarm_s - world->event_s;
     value[METRIC_BLIND_STEER] = world->blind_steer_rad / degree;
 }
 
 const struct world_class park_world = {
-    .columns = columns,
-    .column_count = sizeof columns / sizeof columns[0],
-    .reported = reported,
-    .reported_count = sizeof reported / sizeof reported[0],
+    BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,
     .start = start,

@@ -198,10 +198,7 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
 }
 
 const struct world_class radar_world = {
-    .columns = columns,
-    .column_count = sizeof columns / sizeof columns[0],
-    .reported = reported,
-    .reported_count = sizeof reported / sizeof reported[0],
+    BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,
     .start = start,

@@ -50,10 +50,12 @@ static void note_demand(struct rig *rig)
         rig->counted_duty_pct = demand;
         rig->duty_steps++;
     }
-    if (rig->blind)
+    if (rig->blind) {
         rig->blind_fall_pct = fmax(rig->blind_fall_pct, rig->seen_pct - demand);
-    else
+        rig->blind_rise_pct = fmax(rig->blind_rise_pct, demand - rig->seen_pct);
+    } else {
         rig->seen_pct = demand;
+    }
     note_release(rig, demand);
 }
 
@@ -155,6 +157,8 @@ void rig_pin(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level)
     case PIN_BUZZER:
         if (!level)
             warning_goes_on(rig);
+        if (!level && pin == PIN_BUZZER && rig->now_ns >= rig->event_ns)
+            rig->alarm_s = fmin(rig->alarm_s, seconds(rig->now_ns));
         break;
     default:
         break;
@@ -173,7 +177,7 @@ void rig_init(struct rig *rig, const struct scenario *scenario, int64_t step_ns)
     rig->hold_s = scenario->hold_s;
     rig->min_brake_pct = INFINITY;
     rig->full_brake_s = rig->hard_braking_s = rig->first_warning_s = INFINITY;
-    rig->stop_fall_s = rig->first_fault_s = INFINITY;
+    rig->stop_fall_s = rig->first_fault_s = rig->alarm_s = INFINITY;
     rig->brake_gap_m = rig->release_gap_m = rig->release_kmh = NAN;
 }
 
@@ -255,6 +259,8 @@ void rig_measure(const struct rig *rig, int64_t t_ns, struct outcome *outcome)
     value[METRIC_STOP_ON] = rig->stop_on_s + (rig->levels[PIN_STOP] ? t_s - rig->stop_rise_s : 0);
     value[METRIC_RELEASE_WITHIN] = rig->stop_fall_s - since_s;
     value[METRIC_FAULT_WITHIN] = rig->first_fault_s - since_s;
+    value[METRIC_BLIND_RISE] = rig->blind_rise_pct;
+    value[METRIC_ALARM_WITHIN] = rig->alarm_s - since_s;
     value[METRIC_WARNINGS] = rig->warnings;
     value[METRIC_WARNING_LEAD] =
         isinf(rig->hard_braking_s) ? INFINITY : rig->hard_braking_s - rig->first_warning_s;

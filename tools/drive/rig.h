@@ -19,14 +19,14 @@ struct rig {
     bool started;
     bool has_duty; /* the PWM was read before the start */
     double throttle_pct;    /* where the controller has it; 0 otherwise */
-    bool blind;             /* readings are missing: the demand must not fall below seen_pct */
+    bool blind;             /* readings are missing: the demand must not leave seen_pct */
     double event_s, hold_s; /* as in the scenario */
     int64_t now_ns, event_ns;
     /* what is measured beside the car's own record */
-    double seen_pct, blind_fall_pct;
+    double seen_pct, blind_fall_pct, blind_rise_pct;
     double max_brake_pct, min_brake_pct, full_brake_s, counted_duty_pct, duty_steps;
     double stop_toggles, stop_on_s, stop_rise_s, stop_fall_s;
-    double warnings, first_warning_s, hard_braking_s, first_fault_s;
+    double warnings, first_warning_s, hard_braking_s, first_fault_s, alarm_s;
     double brake_gap_m, release_gap_m, release_kmh;
 };
 

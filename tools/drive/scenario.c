@@ -13,7 +13,7 @@
 
 enum { NAME_SIZE = 48, MIN_RADIUS_M = 31 };
 
-enum value_kind { VALUE_NUMBER, VALUE_CHOICE, VALUE_TEXT, VALUE_PROFILE, VALUE_APP };
+enum value_kind { VALUE_NUMBER, VALUE_COUNT, VALUE_CHOICE, VALUE_TEXT, VALUE_PROFILE, VALUE_APP };
 
 /* One key: where its value goes and what it may be. */
 struct key {
@@ -111,6 +111,8 @@ static const struct key keys[] = {
     {"frame", "from_s", VALUE_NUMBER, IN_FRAME(from_s), 0, 3600, NULL, ANY_FAULT, true},
     {"frame", "for_s", VALUE_NUMBER, IN_FRAME(for_s), 0.001, 3600, NULL, ANY_FAULT, false},
     {"frame", "share", VALUE_NUMBER, IN_FRAME(share), 0, 1, NULL, ANY_FAULT, false},
+    {"frame", "every", VALUE_COUNT, IN_FRAME(every), 1, 10000, NULL, ANY_FAULT, false},
+    {"frame", "first", VALUE_COUNT, IN_FRAME(first), 1, 10000, NULL, ANY_FAULT, false},
     {"uart", "at_s", VALUE_NUMBER, AT(uart.at_s), 0, 3600, NULL, 0, true},
     {"uart", "send", VALUE_TEXT, AT(uart.send), 0, 0, NULL, 0, true},
 };
@@ -247,12 +249,16 @@ static int set_value(struct reader *reader, const struct key *key, char *target,
 
     switch (key->kind) {
     case VALUE_NUMBER:
+    case VALUE_COUNT:
         if (!parse_number(value, &number))
             return complain(reader, "'%s' is no number; give %s a value in %g..%g", value,
                             key->name, key->low, key->high);
         if (number < key->low || number > key->high)
             return complain(reader, "%s = %s is out of range; give it a value in %g..%g", key->name,
                             value, key->low, key->high);
+        if (key->kind == VALUE_COUNT && number > floor(number))
+            return complain(reader, "%s = %s counts frames; give it a whole number", key->name,
+                            value);
         memcpy(target, &number, sizeof number);
         return 1;
     case VALUE_CHOICE:
@@ -500,12 +506,38 @@ static void check_sections(struct reader *reader)
     reader->line = 0;
 }
 
-static bool was_given(const struct reader *reader, const char *section, const char *name)
+/* The line in which a key stands; 0: it was not given. */
+static int line_of(const struct reader *reader, const char *section, int number, const char *name)
 {
     for (int i = 0; i < KEY_COUNT; i++)
         if (strcmp(keys[i].section, section) == 0 && strcmp(keys[i].name, name) == 0)
-            return reader->given[0][i] != 0;
-    return false;
+            return reader->given[number][i];
+    return 0;
+}
+
+static bool was_given(const struct reader *reader, const char *section, const char *name)
+{
+    return line_of(reader, section, 0, name) != 0;
+}
+
+/* Frames are bad at random or by schedule, not both. */
+static void check_schedules(struct reader *reader)
+{
+    for (int number = 0; number < SCENARIO_FAULTS; number++) {
+        int share = line_of(reader, "frame", number, "share");
+        int every = line_of(reader, "frame", number, "every");
+        int first = line_of(reader, "frame", number, "first");
+
+        reader->line = every;
+        if (share != 0 && every != 0)
+            complain(reader,
+                     "frames are bad by every or by share, which stands in line %d; keep one",
+                     share);
+        reader->line = first;
+        if (first != 0 && every == 0)
+            complain(reader, "first says where every begins to count; add every, or take it out");
+    }
+    reader->line = 0;
 }
 
 static void check_whole(struct reader *reader)
@@ -519,6 +551,7 @@ static void check_whole(struct reader *reader)
     check_sections(reader);
     check_required(reader);
     check_fault_keys(reader);
+    check_schedules(reader);
     for (int i = 0; i < SCENARIO_FAULTS; i++)
         if (scenario->faults[i].kind == FAULT_GLITCH && scenario->faults[i].dist_m < 0)
             complain(reader, "[%s] lacks dist_m; add it",
@@ -593,7 +626,8 @@ static void set_defaults(struct scenario *scenario, const char *file)
                                              .dist_m = SCENARIO_UNSET,
                                              .scale = 1,
                                              .readings = 1};
-        scenario->frames[i] = (struct frame_fault){.kind = -1, .for_s = SCENARIO_UNSET, .share = 1};
+        scenario->frames[i] = (struct frame_fault){
+            .kind = -1, .for_s = SCENARIO_UNSET, .share = 1, .every = SCENARIO_UNSET, .first = 1};
     }
     strcpy(scenario->app, "brake");
     scenario->head.warm_up = 5;

@@ -127,6 +127,8 @@ struct frame_fault {
     int kind;             /* enum frame_fault_kind, or -1: no fault */
     double from_s, for_s; /* unset for_s: to the end */
     double share;         /* of the frames, at random */
+    double every, first;  /* or the first-th frame of that time and each every-th after it; unset
+                             every: by share */
 };
 
 struct scenario {
