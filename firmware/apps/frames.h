@@ -15,7 +15,7 @@
 /* What is wrong, as telemetry says it. From FRAMES_FAULT_TABLE on they last until the next start. */
 enum frames_fault {
     FRAMES_FAULT_NONE,
-    FRAMES_FAULT_LINK,     /* no good frame for 200 ms, or three in a row not yet */
+    FRAMES_FAULT_LINK,     /* silence for 200 ms (link.h), or three good frames in a row not yet */
     FRAMES_FAULT_WATCHDOG, /* this start was a watchdog reset, and the link is not yet up again */
     FRAMES_FAULT_TABLE,    /* self-test: check sum of the table */
     FRAMES_FAULT_RAM,      /* self-test: pattern in RAM */

@@ -7,7 +7,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* 200 ms, and what a frame takes: so one bad frame in a row of one each 100 ms is no silence. */
+/* Silence for 200 ms. With a frame each 100 ms, one bad frame makes just these 200 ms, and the next
+ * frame, which ends them, must still count: so 200 ms, and a tick of 10 ms for either end, as both
+ * are read off the ticks. From the end of the last good frame to the fault it takes 210 to 220 ms:
+ * one bad frame in a row never leads to it, two always do; of frames each 50 ms three and four, of
+ * frames each 20 ms nine and eleven. A head may be 10 ms late. */
 #define LINK_SILENCE_MS  220U
 #define LINK_START_MS    500U /* to come up in after the start */
 #define LINK_GOOD_FRAMES 3    /* in a row, before a link counts as up */

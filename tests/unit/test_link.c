@@ -84,12 +84,15 @@ static void test_frame_after_a_silence_does_not_undo_it(void)
     TEST_ASSERT_TRUE(link_good(300));
 }
 
-static void test_one_bad_frame_in_a_row_is_no_silence(void)
+static void test_one_bad_frame_in_a_row_is_no_silence_and_two_are(void)
 {
     bring_up(0);
     link_bad();
     TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check(200));
-    TEST_ASSERT_TRUE(link_good(200));
+    TEST_ASSERT_TRUE(link_good(210)); /* 200 ms, read off ticks, are 190 to 210 */
+    link_bad();
+    link_bad();
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(210 + 290)); /* two: 300 ms, read as 290 */
 }
 
 static void test_clock_may_wrap(void)
@@ -110,7 +113,7 @@ int main(void)
     RUN_TEST(test_silence_loses_the_link);
     RUN_TEST(test_bad_frames_are_no_sign_of_life);
     RUN_TEST(test_frame_after_a_silence_does_not_undo_it);
-    RUN_TEST(test_one_bad_frame_in_a_row_is_no_silence);
+    RUN_TEST(test_one_bad_frame_in_a_row_is_no_silence_and_two_are);
     RUN_TEST(test_clock_may_wrap);
     return UNITY_END();
 }
