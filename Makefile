@@ -144,7 +144,8 @@ park_GRID   := --grid=256 --levels=255
 park_FLAGS  := -DSERVO
 park_MODULES := $(FRAME_MODULES) apps/park $(addprefix core/,park cordic) mcu/servo
 
-# The same, blended at 2..4 m in place of the published 3..7 m: it succeeds more often.
+# The same, blended at 2..4 m in place of the published 3..7 m: of make grid's 3,780 starts 8 more succeed,
+# but no longer all from 20 m on.
 park_late_TABLE   := tables/park_late.fis
 park_late_GRID    := $(park_GRID)
 park_late_FLAGS   := $(park_FLAGS)
