@@ -9,11 +9,12 @@
 
 /* Of the chip, read off pin traces of s51 at 12 MHz. */
 enum {
-    PERIOD_NS = 10000000, /* of the PWM, which is the tick */
-    JOB_NS = 378000,      /* from the tick to the trigger's rising edge */
-    TRIGGER_NS = 16000,   /* width of the trigger */
-    STOP_NS = 250000,     /* echo's end to the stop line */
-    DUTY_NS = 800000,     /* echo's end to the new duty handed to the PWM */
+    PERIOD_NS = 10000000,  /* of the PWM, which is the tick */
+    JOB_NS = 378000,       /* from the tick to the trigger's rising edge */
+    TRIGGER_NS = 16000,    /* width of the trigger */
+    STOP_NS = 250000,      /* echo's end to the stop line */
+    DUTY_NS = 800000,      /* echo's end to the new duty handed to the PWM */
+    HAND_OVER_NS = 256000, /* least time to a period in which that takes it */
     TRIGGER_TICKS = 6,
 };
 #define NEVER INT64_MAX
@@ -22,7 +23,7 @@ struct loop {
     const struct image *image;
     const struct world_class *class;
     struct world *world;
-    /* PWM: two interrupts a period, the duty taken in the second */
+    /* PWM: two interrupts a period, the duty taken in the second, or after it while there is time */
     int64_t interrupt_ns;
     bool is_second;
     uint8_t duty_pct, next_pct;
@@ -64,6 +65,8 @@ static void apply(struct loop *loop, int64_t t_ns)
 {
     set_pin(loop, t_ns, PIN_STOP, &loop->stop_level, loop->image->brake->stop);
     loop->next_pct = loop->image->brake->brake_pct;
+    if (!loop->is_second && loop->interrupt_ns - t_ns >= HAND_OVER_NS)
+        loop->duty_pct = loop->next_pct;
 }
 
 static void control_step(struct loop *loop, int64_t t_ns, uint8_t kind, uint16_t dist_mm)
