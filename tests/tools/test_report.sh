@@ -52,9 +52,12 @@ if grep -qx "\$name" $out/empty 2>/dev/null; then exit 0; fi
 exec build/drive "\$@"
 END
 chmod +x "$out/drive"
+start_report() { # in place of the shell that calls it
+    exec env DRIVE="$out/drive" REPORT_OUT="$out/report" MAP=coarse JOBS=2 IMAGES="${images:-brake}" \
+        ONLY="${only:-seen_02.0 false_open cutin_1.5}" tools/report/report.sh "${board:-stc89c516rd}" >"$out/log" 2>&1
+}
 run_report() {
-    DRIVE=$out/drive REPORT_OUT=$out/report MAP=coarse JOBS=2 IMAGES=brake ONLY=${only:-'seen_02.0 false_open cutin_1.5'} \
-        tools/report/report.sh ${board:-stc89c516rd} >"$out/log" 2>&1
+    (start_report)
 }
 calls() {
     wc -l 2>/dev/null <"$out/calls" || echo 0
@@ -121,17 +124,22 @@ run_report
 [ "$(calls)" = 6 ] || wrong="$wrong $(calls) runs back with the first image"
 case_is $LINENO results_are_bound_to_their_inputs "$wrong"
 
-# Interrupted in the middle of runs: what was complete stays, the rest follows.
+# Interrupted in the middle of runs: no run goes on, what was complete stays, the rest follows.
 rm -rf "$out/report/runs" "$out/calls"
 touch "$out/slow"
-only='seen_0[0-5]* cutin_* map_*' setsid bash -c "$(declare -f run_report); out=$out; run_report" &
-group=$!
+only='seen_0[0-5]* cutin_* map_*' start_report &
+running=$!
 for _ in $(seq 600); do
     sleep 0.2
     [ "$(find "$out/report/runs" -name exit 2>/dev/null | grep -vc part)" -ge 2 ] && break
 done
-kill -TERM -- -$group
-wait $group 2>/dev/null
+kill -TERM $running
+wait $running
+status=$?
+wrong=$(pgrep -af "$out/report/runs" | head -n 3)
+[ $status = 130 ] || wrong="exit status $status; $wrong"
+grep -q 'stopped; the same command goes on from here' "$out/log" || wrong="nothing is said of it; $wrong"
+case_is $LINENO an_interrupted_report_ends_its_runs "$wrong"
 rm -f "$out/slow"
 done_before=$(find "$out/report/runs" -name exit | grep -vc part)
 wanted=$(ls "$out/report/scenarios" | grep -cE '^(seen_0[0-5]|cutin_|map_)')
@@ -144,6 +152,13 @@ wrong=
 case_is $LINENO an_interrupted_report_goes_on "$wrong"
 
 # --- the page --------------------------------------------------------------------------------------------
+# One run for each tab.
+wrong=
+images='brake radar gap follow park' only='seen_02.0 frame_noise' run_report
+status=$?
+[ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
+wrong="$wrong$(for id in brake radar gap follow park; do grep -q "^\"id\":\"$id\"" "$out/report/index.html" || echo " no tab $id"; done)"
+case_is $LINENO a_tab_for_each_controller "$wrong"
 for width in 1280 375; do
     case_is $LINENO "page_works_at_${width}_px" "$(page_fault $width)"
 done

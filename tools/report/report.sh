@@ -149,9 +149,17 @@ if [ "$SSHLOGIN" != : ]; then
         --return "$runs/{1}" --cleanup)
 fi
 if [ "$todo" -gt 0 ]; then
+    # Whoever ends this script, and be it by its process number alone, ends the runs with it.
     # shellcheck disable=SC1083  # parallel's own braces
-    parallel --will-cite --colsep '\t' ${JOBS:+--jobs "$JOBS"} --sshlogin "$SSHLOGIN" "${remote[@]}" --env DRIVE \
-        $here/run_one.sh {1} {2} {3} {4} {5} "$runs" <"$work/todo" | progress
+    exec 3< <(exec parallel --will-cite --colsep '\t' ${JOBS:+--jobs "$JOBS"} --sshlogin "$SSHLOGIN" "${remote[@]}" --env DRIVE \
+        $here/run_one.sh {1} {2} {3} {4} {5} "$runs" <"$work/todo")
+    running=$!
+    trap 'kill $running; wait $running || true; echo "report.sh: error: stopped; the same command goes on from here" >&2; exit 130' INT TERM HUP
+    progress <&3
+    exec 3<&-
+    trap - INT TERM HUP
+    # A machine that cannot be reached has had no runs: they are counted as lost below.
+    wait $running || echo "report.sh: warning: parallel ended with status $?" >&2
 fi
 
 # --- figures and page -----------------------------------------------------------------------------------

@@ -8,7 +8,8 @@ key=$1 hex=$2 board=$3 scenario=$4 seconds=$5 folder=$6
 work=$folder/$key.part
 rm -rf "${work:?}" "${folder:?}/$key"
 mkdir -p "$work"
-timeout -k 5 "$seconds" "${DRIVE:-build/drive}" run --hex "$hex" --board "$board" --scenario "$scenario" \
+# In the foreground, so that who ends this script's group ends drive; its simulator ends with it.
+timeout --foreground -k 5 "$seconds" "${DRIVE:-build/drive}" run --hex "$hex" --board "$board" --scenario "$scenario" \
     --json "$work/result.json" >"$work/log" 2>&1
 status=$?
 # A verdict without a complete result is none.

@@ -23,6 +23,7 @@ function selfTest() {
         for (const one of panel.querySelectorAll("figure"))
             check(one.closest(".trace") || one.querySelector("svg"), `${tab.id}: a figure is missing`);
         const player = tab.content.player, description = data.tabs.find((one) => one.id === tab.id);
+        check(!description || player, `${tab.id}: no player`);
         if (player) testPlayer(tab, description, player);
         check(clean(panel.textContent), `${tab.id}: NaN or undefined in the text`);
     }
