@@ -34,6 +34,7 @@ static bool is_measuring;
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */
+static __idata uint8_t stack_unused;
 static bool is_talking;
 static char command;            /* waits for the line under way to end; 0: none */
 #define SAY_HEADER '\1'
@@ -119,6 +120,7 @@ static void measure(void)
     if (is_measuring) {
         control_step(hal_echo());
     }
+    stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
     elapsed_cs = now - triggered;
     triggered = now;
     hal_trigger();
@@ -206,7 +208,7 @@ static void status(void)
     telemetry_values[0].text = STATES[brake.state];
     telemetry_values[1].number = brake.fault;
     telemetry_values[2].number = dropped;
-    telemetry_values[3].number = hal_stack_unused();
+    telemetry_values[3].number = stack_unused;
     telemetry_say(STATUS);
 }
 
@@ -264,6 +266,7 @@ void main(void)
     is_talking = true;
     idle_wait = IDLE_MS / HAL_TICK_MS;
     command = 'v';
+    stack_unused = hal_stack_unused();
     tick = hal_ticks();
 
     for (;;) {

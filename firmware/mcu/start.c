@@ -107,13 +107,11 @@ bool hal_ram_is_good(void)
 uint8_t hal_stack_unused(void)
 {
     uint8_t __idata *byte = (uint8_t __idata *)RAM_TOP;
-    uint8_t unused = 0;
 
     while (*byte == STACK_PAINT) { /* rounds: 248 */
         byte--;
-        unused++;
     }
-    return unused;
+    return RAM_TOP - (uint8_t)byte;
 }
 
 bool hal_stack_is_good(void)

@@ -6,6 +6,7 @@
 #     s51_type "s"                        the UART receives this, now; only after S51_TYPES=1 s51_start,
 #                                         which takes twice the time
 #     s51_until 900000                    simulates up to 900,000 us
+#     s51_ask 900010                      there prints time, the part of it in interrupts, and all internal RAM
 #     s51_stop                            ends it
 #     s51_edges NAME                      "time_us value time_us_since_reset" of each write
 #     $s51_uart                           the file of what the UART sent
@@ -55,7 +56,7 @@ s51_start() {
     exec {s51_pins}>"$s51_dir/pins"
     # shellcheck disable=SC2016  # VCD's own words
     printf '%s\n' '$timescale 1ns $end' '$scope module m $end' '$var wire 1 ! pin3.2 $end' '$var wire 1 @ pin3.3 $end' \
-        '$var wire 1 % sync $end' '$upscope $end' '$enddefinitions $end' '#1500' '0!' '1@' '0%' >&"$s51_pins"
+        '$var wire 1 % sync $end' '$var wire 1 ^ sim_stop $end' '$upscope $end' '$enddefinitions $end' '#1500' '0!' '1@' '0%' >&"$s51_pins"
 }
 
 # When the firmware triggers the sensor for the first time; it goes on every 60 ms.
@@ -104,6 +105,26 @@ s51_until() { # TIME_US
     done
 }
 
+# After this it goes no further.
+s51_ask() { # TIME_US, later than all events
+    printf '#%d500\n1^\n#%d500\n' "$1" "$(($1 + 1000000))" >&"$s51_pins"
+    printf 'state\ndump iram 0 0xff 16\nexpr 0x186a1\n' >&"$s51_console"
+    until grep -qx 100001 "$s51_dir/log"; do
+        kill -0 "$s51_pid" 2>/dev/null || {
+            echo "s51: error: left before it told its state; its last words:" >&2
+            tail -n 3 "$s51_dir/log" >&2
+            exit 2
+        }
+        sleep 0.1
+    done
+    awk '
+        function clocks(text) { sub(/.*\(/, "", text); return text + 0 }
+        /^Total time since last reset/ { printf "clocks %d\n", clocks($0) }
+        /^Time in isr/ { printf "clocks_in_interrupts %d\n", clocks($0) }
+        /^0x[0-9a-f][0-9a-f] / { ram = ram " " substr($0, 27, 48) }
+        END { gsub(/ +/, " ", ram); print "ram" ram }' "$s51_dir/log"
+}
+
 # Times as s51 writes them restart after a watchdog reset; here they go on, and a line "TIME reset"
 # tells where that was.
 s51_edges() { # NAME
@@ -124,10 +145,27 @@ s51_edges() { # NAME
     }' "$s51_dir/out"
 }
 
+# For each time in a file, one a line: "time_us time_us" of the cell's first write after it, if that came
+# before the next one.
+s51_answers() { # CELL FILE
+    s51_edges "$1" | awk '
+        FNR == NR { asked[++count] = $1; next }
+        {
+            while (k < count && asked[k + 1] < $1) k++
+            if (k != before) printf "%s %s\n", asked[k], $1
+            before = k
+        }' "$2" -
+}
+
+# The byte that brake.c counts its control steps with, right after the duty is set.
+s51_steps_cell() { # BOARD APP
+    awk '$NF == "_seq:" { print "iram[0x" tolower(substr($1, 5)) "]"; exit }' "build/$1/$2/apps/brake.rst"
+}
+
 s51_stop() {
     trap - EXIT
-    kill "$s51_pid" 2>/dev/null
-    wait "$s51_pid" 2>/dev/null
+    kill "$s51_pid" 2>/dev/null || true
+    wait "$s51_pid" 2>/dev/null || true
     exec {s51_pins}>&- {s51_console}>&- {s51_keys}>&-
 }
 

@@ -62,5 +62,64 @@ counts_dropped_lines() {
         END { exit !(missing > 0 && told >= missing - 2 && told <= missing) }'
 }
 check "dropped_lines_are_counted" counts_dropped_lines
+
+# Telemetry never delays a control step. The same echoes three times, with telemetry on, off, and on with
+# commands that come in as they end: each duty is set as long after its echo's end as without telemetry,
+# but for what the main loop and the interrupt may be at just then: each job of a round once, as long as
+# no path through it is longer. So no step waits for a line, which takes 40 ms and more to send.
+image=build/$board/brake.ihx
+jobs=(talk listen advance_clock brake_tick hal_stack_is_good apply show pwm_interrupt)
+most_us=$(build/bound "${jobs[@]/#/--cycles=}" "$image" "${image%.ihx}.map" "build/$board/brake"/{apps,core,mcu}/*.rst |
+    awk -v jobs="${jobs[*]}" '
+        /at most [0-9]+ cycles/ { sub(/:/, "", $1); cycles[$1] = $(NF - 1) }
+        END {
+            count = split(jobs, job, " ")
+            for (i = 1; i <= count; i++) {
+                if (!cycles[job[i]]) exit 1
+                sum += cycles[job[i]]
+            }
+            print sum
+        }')
+
+time_steps() { # NAME KEYS-FIRST KEYS-AT-EACH-END
+    local cell first k rise_us fall_us
+    cell=$(s51_steps_cell "$board" brake)
+    S51_TYPES=1 s51_start "$board" "$image" "$cell"
+    s51_until 800000
+    first=$(s51_first_trigger)
+    s51_type "$2"
+    for ((k = 5; k < 45; k++)); do
+        rise_us=$((first + 60000 * k + 1500))
+        fall_us=$((rise_us + ((k * 677) % 4000 + 1050) * 20000 / 3432))
+        s51_pin "$rise_us" echo 1
+        if [ -n "$3" ]; then
+            # It is there a byte's time later, and answered at once.
+            s51_until $((fall_us - 1000 - k % 4 * 100))
+            s51_type "${3:k % ${#3}:1}"
+        fi
+        s51_pin "$fall_us" echo 0
+        echo "$fall_us.5" >>"$dir/$1.falls"
+    done
+    s51_until $((first + 60000 * 45))
+    s51_stop
+    s51_answers "$cell" "$dir/$1.falls" >"$dir/$1.answers"
+    answers=$(grep -ac '^#' "$s51_uart")
+    s51_clean
+}
+same_to() { # NAME MOST_US: against the run without telemetry
+    awk -v most="$2" -v name="$1" '
+        FNR == NR { delay[$1] = $2 - $1; next }
+        $1 in delay { n++; d = $2 - $1 - delay[$1]; if (d > worst) worst = d; if (d < -most) early = 1 }
+        END { printf "%s: %d steps, at most %.0f us later than without telemetry\n", name, n, worst | "cat >&2"
+              exit !(n >= 35 && worst <= most && !early) }' "$dir/off.answers" "$dir/$1.answers"
+}
+time_steps on '' ''
+time_steps off t ''
+check "telemetry_was_off" [ "$answers" -eq 2 ]
+time_steps asked '' 'v?sx'
+check "commands_were_answered" [ "$answers" -ge 20 ]
+check "the_jobs_of_a_round_are_bounded" [ "${most_us:-99999}" -lt 10000 ]
+check "telemetry_delays_no_step" same_to on "$most_us"
+check "commands_delay_no_step" same_to asked "$most_us"
 rm -rf "$dir"
 check_end
