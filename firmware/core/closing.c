@@ -21,17 +21,13 @@ static const uint16_t __code RATES[] = {
     RATE(24), RATE(25), RATE(26), RATE(27), RATE(28), RATE(29), RATE(30), RATE(31),
 };
 
-static int16_t rate_2mmps(int16_t closer_mm, uint8_t elapsed_cs)
+/* So far at a rate out of RATES. Up to 4095 mm count. */
+static uint16_t speed_2mmps(uint16_t mm, uint16_t rate)
 {
-    bool is_closer = closer_mm >= 0;
-    uint16_t mm = is_closer ? (uint16_t)closer_mm : (uint16_t)-closer_mm;
-    uint16_t rate;
-
     if (mm > 4095U) {
         mm = 4095U;
     }
-    rate = mul_hi_u16((uint16_t)(mm << 4), RATES[elapsed_cs - CLOSING_ELAPSED_MIN_CS]);
-    return is_closer ? (int16_t)rate : -(int16_t)rate;
+    return mul_hi_u16((uint16_t)(mm << 4), rate);
 }
 
 /* How far that speed brings the target nearer; at most 1 mm off. */
@@ -44,12 +40,6 @@ static int16_t travel_mm(int16_t speed_2mmps, uint8_t elapsed_cs)
         return (int16_t)mul_hi_u16((uint16_t)speed_2mmps, factor);
     }
     return -(int16_t)mul_hi_u16((uint16_t)-speed_2mmps, factor);
-}
-
-/* Towards 0, whichever the sign. */
-static int16_t quarter(int16_t x)
-{
-    return x >= 0 ? (int16_t)(x >> 2) : (int16_t)-(-x >> 2);
 }
 
 static bool is_within(int16_t off_mm, uint16_t limit_mm)
@@ -91,8 +81,8 @@ void closing_skip(uint8_t elapsed_cs)
 
 bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
 {
-    uint16_t gate_mm = CLOSING_GATE_MM;
-    int16_t difference_2mmps, off_mm;
+    uint16_t gate_mm = CLOSING_GATE_MM, off_mm, rate;
+    int16_t further_mm, difference_2mmps;
 
     closing_skip(elapsed_cs);
     if (closing_samples == 0 || since_cs > CLOSING_ELAPSED_MAX_CS) {
@@ -102,11 +92,12 @@ bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
         return true;
     }
 
-    off_mm = (int16_t)(dist_mm - smooth_mm) + travel_mm(smooth_2mmps, since_cs);
+    further_mm = (int16_t)(dist_mm - smooth_mm) + travel_mm(smooth_2mmps, since_cs);
+    off_mm = further_mm >= 0 ? (uint16_t)further_mm : (uint16_t)-further_mm;
     if (closing_samples == 1) {
         gate_mm = (uint16_t)(mul_u8(since_cs, CLOSING_REACH_MM_PER_CS / 2U) << 1);
     }
-    if (!is_within(off_mm, gate_mm)) {
+    if (off_mm > gate_mm) {
         int16_t off_aside_mm = (int16_t)(dist_mm - aside_mm);
 
         if (aside_mm == 0 || since_aside_cs > CLOSING_ELAPSED_MAX_CS ||
@@ -120,14 +111,26 @@ bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
     }
     aside_mm = 0;
 
-    difference_2mmps = rate_2mmps((int16_t)(last_mm - dist_mm), since_cs);
+    rate = RATES[since_cs - CLOSING_ELAPSED_MIN_CS];
+    if (dist_mm <= last_mm) {
+        difference_2mmps = (int16_t)speed_2mmps((uint16_t)(last_mm - dist_mm), rate);
+    } else {
+        difference_2mmps = -(int16_t)speed_2mmps((uint16_t)(dist_mm - last_mm), rate);
+    }
     if (closing_samples == 1) {
         smooth_mm = dist_mm;
         smooth_2mmps = difference_2mmps;
         closing_samples = 2;
     } else {
-        smooth_mm = dist_mm - (uint16_t)quarter(off_mm);
-        smooth_2mmps -= quarter(rate_2mmps(off_mm, since_cs));
+        uint16_t part_mm = off_mm >> 2, part_2mmps = speed_2mmps(off_mm, rate) >> 2;
+
+        if (further_mm >= 0) {
+            smooth_mm = dist_mm - part_mm;
+            smooth_2mmps -= (int16_t)part_2mmps;
+        } else {
+            smooth_mm = dist_mm + part_mm;
+            smooth_2mmps += (int16_t)part_2mmps;
+        }
         closing_samples = 3;
     }
     last_mm = dist_mm;

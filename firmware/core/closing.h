@@ -35,7 +35,7 @@ extern uint8_t closing_samples;
 void closing_restart(void);
 
 /* A reading of 0..RANGE_MAX_MM, elapsed_cs (1/100 s, not 0) after the last call or restart. False: it
- * is set aside and the speeds stay as they are. Up to 500 mc. */
+ * is set aside and the speeds stay as they are. Up to 920 mc. */
 bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs);
 
 /* Time passed without a reading. */
