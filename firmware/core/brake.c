@@ -204,11 +204,11 @@ static uint8_t judge_no_echo(uint8_t kind, uint8_t elapsed_cs)
 
 void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
 {
-    bool is_echo = kind == RANGE_ECHO;
+    __bit is_echo = kind == RANGE_ECHO;
     uint8_t trouble = is_echo ? judge_echo(dist_mm, elapsed_cs) : judge_no_echo(kind, elapsed_cs);
-    bool is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
-    bool had_target = has_target, has_entered = is_clear && elapsed_cs <= LAW_ENTER_CS;
-    uint8_t wanted_pct = 0;
+    __bit is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
+    __bit had_target = has_target, was_clear = is_clear;
+    uint8_t target = LAW_TRACKED, wanted_pct = 0;
 
     is_clear = false;
     if (trouble != BRAKE_FAULT_NONE) {
@@ -230,7 +230,13 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     if (!is_lasting) { /* then the table, or what holds it, cannot be trusted */
         warn(is_echo ? dist_mm : 65535U);
         if (has_target) {
-            wanted_pct = law_step(dist_mm, had_target ? LAW_TRACKED : has_entered ? LAW_ENTERED : LAW_NEW);
+            if (!had_target) {
+                target = LAW_NEW;
+                if (closing_samples == 1) {
+                    target = was_clear && elapsed_cs <= LAW_ENTER_CS ? LAW_ENTERED : LAW_GLIMPSE;
+                }
+            }
+            wanted_pct = law_step(dist_mm, target);
         }
     }
     if (is_lasting || (is_fault && ++good_readings < BRAKE_GOOD_READINGS)) {

@@ -1,7 +1,7 @@
 /* The brake's decision: readings in, duty and signals out. Portable; time comes as an argument.
  *
  *   RELEASED  no target, or beyond the table: 0 %
- *   CONTROL   what the law of this image says (law.h): the table
+ *   CONTROL   what the law of this image says (law.h): the table, from a target's second reading on
  *   STOP      a reading of BRAKE_STOP_MM or less: 100 % and the stop line, at once and latched
  *   FAULT     no reading to believe for BRAKE_SILENCE_CS, a watchdog reset or a failed self-test
  */

@@ -22,13 +22,16 @@
 /* What is known of a target at a reading. */
 enum law_target {
     LAW_TRACKED, /* it was there at the last good reading */
-    LAW_NEW,     /* it was not, or nothing is known */
-    LAW_ENTERED, /* it was not: LAW_ENTER_CS ago a reading saw a clear road */
+    LAW_NEW,     /* it was not, but this is its second reading or a later one */
+    LAW_GLIMPSE, /* its first reading: it may only pass, so no table brakes for it yet */
+    LAW_ENTERED, /* the same, and LAW_ENTER_CS ago a reading saw a clear road */
 };
 #define LAW_ENTER_CS 6U
 
 /* One control step: percent, 0..100, for a target `dist_mm` away (enum law_target) that closes with
- * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked. */
+ * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked, and brakes from the
+ * second reading of a target on: one alone may be a stray echo or something that only passes (but see
+ * law_tuned.h). */
 uint8_t law_step(uint16_t dist_mm, uint8_t target);
 
 /* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past. */

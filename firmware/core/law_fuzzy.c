@@ -22,7 +22,7 @@ uint8_t law_step(uint16_t dist_mm, uint8_t target)
     } else if ((uint8_t)(brake.col - col) > BRAKE_SLACK_COLS) {
         brake.col = (uint8_t)(col + BRAKE_SLACK_COLS);
     }
-    return lut_at(brake.row, brake.col);
+    return target >= LAW_GLIMPSE ? 0 : lut_at(brake.row, brake.col);
 }
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)

@@ -32,13 +32,12 @@ uint8_t law_step(uint16_t dist_mm, uint8_t target)
 {
     if (target != LAW_TRACKED) {
         ease_restart();
-        if (target == LAW_ENTERED && closing_samples == 1 && dist_mm <= LAW_FAR_MM &&
-            dist_mm >= (uint16_t)(LAW_FAR_MM - LAW_TUNED_FIRST_MM)) {
+        if (target == LAW_ENTERED && dist_mm >= (uint16_t)(LAW_FAR_MM - LAW_TUNED_FIRST_MM)) {
             return first_sight(dist_mm);
         }
-    }
-    if (closing_samples == 1 && dist_mm >= EASE_NEAR_MM) {
-        return 0; /* the next reading tells its speed; an object that only passed is gone by then */
+        if (target != LAW_NEW) {
+            return 0;
+        }
     }
     return ease_pct(look_up(dist_mm, &BRAKE_SPEED), dist_mm, &BRAKE_SPEED);
 }

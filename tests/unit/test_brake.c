@@ -83,21 +83,63 @@ static void test_no_target_stays_released_for_ever(void)
     }
 }
 
-static void test_each_distance_gets_its_row_and_the_cell(void)
+static void test_each_distance_gets_its_row_and_from_the_second_reading_on_the_cell(void)
 {
     uint16_t mm;
 
     for (mm = 20; mm <= 6000; mm++) {
         uint8_t row = mm <= 1000 ? 0 : mm < 5000 ? (uint8_t)((mm - 1000U) / 40U) : 99;
         uint8_t state = mm <= 1000 ? BRAKE_STOP : mm <= 5000 ? BRAKE_CONTROL : BRAKE_RELEASED;
+        uint8_t first_pct = mm <= 1000 ? 100 : 0;
         uint8_t pct = mm <= 1000 ? 100 : mm <= 5000 ? lut_at(row, 0) : 0;
 
         brake_init(BRAKE_FAULT_NONE);
+        brake_step(RANGE_ECHO, mm, PERIOD_CS);
+        if (brake.state != state || brake.brake_pct != first_pct || brake.stop != (mm <= 1000)) {
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "first reading: wrong at this distance in mm");
+        }
         brake_step(RANGE_ECHO, mm, PERIOD_CS);
         if (brake.state != state || brake.brake_pct != pct || brake.stop != (mm <= 1000) ||
             (mm <= 5000 && brake.row != row)) {
             TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "wrong state, duty or row at this distance in mm");
         }
+    }
+}
+
+static void test_what_passes_in_one_reading_is_not_braked_for(void)
+{
+    uint16_t mm;
+
+    for (mm = 1001; mm <= 5000; mm += 31) {
+        start();
+        measure(RANGE_NO_TARGET, 0);
+        echo(mm);
+        TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+        TEST_ASSERT_FALSE(brake.warn);
+        measure(RANGE_NO_TARGET, 0);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+        TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, brake.fault);
+    }
+}
+
+/* Two readings are two wherever the first one was, and whatever came between. */
+static void test_the_second_reading_brakes(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 4; i++) {
+        start();
+        echo(i == 0 ? 5100 : 4900); /* beyond the table, or within */
+        if (i == 2) {
+            measure(RANGE_NO_TARGET, 0);
+        } else if (i == 3) {
+            measure(RANGE_NOT_RISEN, 0);
+        }
+        TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+        echo(4600);
+        TEST_ASSERT_EQUAL_UINT8(lut_at(90, brake.col), brake.brake_pct);
+        TEST_ASSERT_TRUE(brake.brake_pct != 0);
     }
 }
 
@@ -668,7 +710,9 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_starts_released);
     RUN_TEST(test_no_target_stays_released_for_ever);
-    RUN_TEST(test_each_distance_gets_its_row_and_the_cell);
+    RUN_TEST(test_each_distance_gets_its_row_and_from_the_second_reading_on_the_cell);
+    RUN_TEST(test_what_passes_in_one_reading_is_not_braked_for);
+    RUN_TEST(test_the_second_reading_brakes);
     RUN_TEST(test_each_speed_gets_its_column);
     RUN_TEST(test_opening_counts_as_no_closing);
     RUN_TEST(test_brake_never_falls_while_the_gap_shrinks);

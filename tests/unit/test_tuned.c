@@ -78,14 +78,23 @@ static void test_otherwise_the_first_reading_does_not_brake(void)
     TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
 }
 
-/* Near enough, it does: w of ease.h is 212/256 at 1376 mm. */
-static void test_a_near_first_reading_brakes(void)
+/* Near ones neither; the second reading does: w of ease.h is 212/256 at 1376 mm. */
+static void test_a_near_target_is_braked_from_the_second_reading_on(void)
 {
+    uint16_t mm;
+
+    for (mm = 1001; mm < EASE_NEAR_MM; mm += 7) {
+        brake_init(BRAKE_FAULT_NONE);
+        look(RANGE_NO_TARGET, 0);
+        look(RANGE_ECHO, mm);
+        TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+        TEST_ASSERT_FALSE(brake.warn);
+    }
+    brake_init(BRAKE_FAULT_NONE);
     look(RANGE_NO_TARGET, 0);
     look(RANGE_ECHO, 1376);
+    look(RANGE_ECHO, 1376);
     TEST_ASSERT_UINT8_WITHIN(1, (uint8_t)(lut_at(9, 0) * 212U >> 8), brake.brake_pct);
-    look(RANGE_NO_TARGET, 0);
-    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
 }
 
 static void test_the_second_reading_takes_over(void)
@@ -184,7 +193,7 @@ int main(void)
     RUN_TEST(test_a_fast_target_is_braked_at_first_sight);
     RUN_TEST(test_first_sight_never_exceeds_its_limit);
     RUN_TEST(test_otherwise_the_first_reading_does_not_brake);
-    RUN_TEST(test_a_near_first_reading_brakes);
+    RUN_TEST(test_a_near_target_is_braked_from_the_second_reading_on);
     RUN_TEST(test_the_second_reading_takes_over);
     RUN_TEST(test_a_passing_object_is_forgotten_after_one_reading);
     RUN_TEST(test_a_speed_survives_one_missing_echo);

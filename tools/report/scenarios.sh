@@ -273,11 +273,15 @@ BEGIN {
         printf "final_speed_mps >= 1.9\n" >file
     }
 
-    # False alarms: nothing here may move the brake.
+    # False alarms: nothing here may move the brake. What is seen once may be gone by the next reading.
     open_file("false_open", "nothing ahead", 6)
     own_car(4); eyes(); calm()
     open_file("false_passing", "nothing ahead but an object that passes at 3 m, in one reading", 5)
     own_car(4); eyes(); glitch("fault", 2, 3); calm()
+    open_file("false_near", "nothing ahead but an object that passes at 1.2 m, in one reading", 5)
+    own_car(4); eyes(); glitch("fault", 2, 1.2); calm()
+    open_file("false_edge", "nothing ahead but an object that passes at 4.5 m, in one reading", 5)
+    own_car(4); eyes(); glitch("fault", 2, 4.5); calm()
     open_file("false_three", "three passing objects, each in one reading", 8)
     own_car(4); eyes(); glitch("fault", 1.5, 4); glitch("fault2", 3.5, 2.5); glitch("fault3", 5.5, 1.5); calm()
     noise_m = 0.02; range_m = 6
