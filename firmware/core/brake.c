@@ -1,6 +1,7 @@
 /* The brake's decision. */
 #include "brake.h"
 #include "closing.h"
+#include "fixed.h"
 #include "law.h"
 #include "range.h"
 
@@ -124,13 +125,18 @@ static void unlatch(uint16_t dist_mm)
     }
 }
 
-/* The same reading again, after a speed that cannot have ended meanwhile; and as long as it stays. */
-static bool repeats(uint16_t dist_mm)
+/* The same reading again, after a speed that cannot have ended meanwhile; and as long as it stays. A
+ * speed's magnitudes are added: one of them is 0. */
+static void note_repeats(uint16_t dist_mm)
 {
-    is_stuck = dist_mm == raw_mm && (is_stuck || closing_smooth.closing_mmps >= BRAKE_STUCK_MMPS ||
-                                     closing_smooth.opening_mmps >= BRAKE_STUCK_MMPS);
-    raw_mm = dist_mm;
-    return is_stuck;
+    if (dist_mm != raw_mm) {
+        is_stuck = false;
+        raw_mm = dist_mm;
+    } else if ((uint16_t)(closing_smooth.closing_mmps + closing_smooth.opening_mmps) >= BRAKE_STUCK_MMPS &&
+               (uint16_t)(closing_difference.closing_mmps + closing_difference.opening_mmps) >=
+                   mul_u8(closing_span_cs, BRAKE_STUCK_MMPS_PER_CS)) {
+        is_stuck = true;
+    }
 }
 
 /* How many "no target" it takes to believe that this target is gone. */
@@ -168,7 +174,8 @@ static uint8_t judge_echo(uint16_t dist_mm, uint8_t elapsed_cs)
 {
     uint8_t trouble = BRAKE_FAULT_NONE;
 
-    if (repeats(dist_mm)) {
+    note_repeats(dist_mm);
+    if (is_stuck) {
         closing_skip(elapsed_cs);
         trouble = BRAKE_FAULT_STUCK;
     } else if (!closing_update(dist_mm, elapsed_cs)) {

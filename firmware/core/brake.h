@@ -55,8 +55,13 @@
 #define BRAKE_NEAR_MM       4000U
 #define BRAKE_LOST_READINGS 20U
 
-/* Nothing on wheels stops from this speed between two readings: the same reading again is a stuck one. */
-#define BRAKE_STUCK_MMPS    800U
+/* The same reading again is a stuck one where the target moved at the first speed and cannot have come
+ * to rest by the first of the two readings: one that does moved, on the mean over the time t before
+ * it, at a t / 2 and up to sqrt(2 a 1 mm) more, for the millimetre that a reading hides. With 10 m/s2,
+ * the most that wheels hold, that and the readings' rounding are 0.46 m/s over 60 ms, 0.76 over 120,
+ * 1.06 over 180: less than the second speed for each 1/100 s of t. */
+#define BRAKE_STUCK_MMPS        800U
+#define BRAKE_STUCK_MMPS_PER_CS 80U
 
 /* Warn when the target, at its present speed, would be braked for this hard in one second (0.8 s and
  * the time a reading takes), and closes faster than this; until it was not so for half a second. */

@@ -4,7 +4,7 @@
 #include "fixed.h"
 
 __data struct closing_speed closing_difference, closing_smooth;
-uint8_t closing_samples;
+uint8_t closing_samples, closing_span_cs;
 
 static uint16_t last_mm;       /* believed */
 static uint16_t smooth_mm;     /* alpha-beta's place of the target */
@@ -134,6 +134,7 @@ bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
         closing_samples = 3;
     }
     last_mm = dist_mm;
+    closing_span_cs = since_cs;
     since_cs = 0;
     publish(&closing_difference, difference_2mmps);
     publish(&closing_smooth, smooth_2mmps);

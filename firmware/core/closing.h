@@ -28,6 +28,9 @@ struct closing_speed {
 extern __data struct closing_speed closing_difference; /* plain difference */
 extern __data struct closing_speed closing_smooth;     /* alpha-beta */
 
+/* The time that closing_difference is taken over, 1/100 s. */
+extern uint8_t closing_span_cs;
+
 /* Readings believed of this target, 0..3 (3: or more). */
 extern uint8_t closing_samples;
 

@@ -595,6 +595,62 @@ static void test_the_same_reading_at_rest_is_fine(void)
     }
 }
 
+static void test_a_stuck_sensor_is_found_at_once_from_800_mmps_on(void)
+{
+    uint8_t step_mm, is_opening, i;
+
+    for (step_mm = 49; step_mm <= 240; step_mm += 3) { /* 0.82 m/s and faster */
+        for (is_opening = 0; is_opening <= 1; is_opening++) {
+            uint16_t mm = is_opening ? 1500 : 3000;
+
+            start();
+            for (i = 0; i < 6; i++) {
+                mm = (uint16_t)(is_opening ? mm + step_mm : mm - step_mm);
+                echo(mm);
+                TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, brake.fault);
+            }
+            echo(mm);
+            TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, brake.fault);
+        }
+    }
+}
+
+/* A car that brakes at that many m/s2 to a standstill, before a sensor without noise, in any phase of
+ * the sensor; two readings in a row are missing, anywhere. Wheels hold 10 m/s2. */
+static void test_a_car_that_has_just_stopped_is_not_stuck(void)
+{
+    uint8_t decel, phase_cs, missing;
+
+    for (decel = 6; decel <= 10; decel += 2) {
+        for (phase_cs = 0; phase_cs < PERIOD_CS; phase_cs++) {
+            for (missing = 0; missing < 6; missing++) {
+                uint16_t speed_mmps = 3000, gap_tenths = 40000; /* of 1 mm */
+                uint8_t i, j;
+
+                start();
+                for (i = 0; i < 16; i++) {
+                    for (j = 0; j < PERIOD_CS; j++) {
+                        uint16_t loss_mmps = i * PERIOD_CS + j < phase_cs ? 0 : decel * 10U;
+
+                        if (loss_mmps > speed_mmps) {
+                            loss_mmps = speed_mmps;
+                        }
+                        gap_tenths -= (speed_mmps - loss_mmps / 2U) / 10U;
+                        speed_mmps -= loss_mmps;
+                    }
+                    if (i / 2 == missing) {
+                        measure(RANGE_NOT_RISEN, 0);
+                    } else {
+                        echo((uint16_t)(gap_tenths / 10U));
+                        TEST_ASSERT_TRUE(brake.fault != BRAKE_FAULT_STUCK);
+                    }
+                }
+                TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+            }
+        }
+    }
+}
+
 static void test_a_driver_can_leave_a_fault(void)
 {
     wait_cs(40);
@@ -745,6 +801,8 @@ int main(void)
     RUN_TEST(test_readings_that_jump_about_are_a_fault);
     RUN_TEST(test_the_same_reading_while_closing_is_stuck);
     RUN_TEST(test_the_same_reading_at_rest_is_fine);
+    RUN_TEST(test_a_stuck_sensor_is_found_at_once_from_800_mmps_on);
+    RUN_TEST(test_a_car_that_has_just_stopped_is_not_stuck);
     RUN_TEST(test_a_driver_can_leave_a_fault);
     RUN_TEST(test_a_watchdog_reset_starts_braking_and_ends_with_three_good_readings);
     RUN_TEST(test_a_failed_self_test_lasts_but_still_stops);
