@@ -139,13 +139,17 @@ static void note_repeats(uint16_t dist_mm)
     }
 }
 
-/* How many "no target" it takes to believe that this target is gone. */
-static uint8_t farewell(uint16_t dist_mm)
+/* How many "no target" it takes to believe that this target is gone. Fewer readings of it change
+ * nothing: after a silence they may be those of a target that was there before. */
+static void note_target(uint16_t dist_mm)
 {
-    if (closing_samples == 1 || !has_target) {
-        return 0;
+    if (!has_target) {
+        lost_readings = 0;
+    } else if (closing_samples == 3) {
+        lost_readings = dist_mm > BRAKE_NEAR_MM ? 1 : BRAKE_LOST_READINGS;
+    } else if (closing_samples == 2 && lost_readings == 0) {
+        lost_readings = 1;
     }
-    return closing_samples == 2 || dist_mm > BRAKE_NEAR_MM ? 1 : BRAKE_LOST_READINGS;
 }
 
 static void warn(uint16_t dist_mm)
@@ -231,7 +235,7 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     is_clear = !is_echo;
     has_target = is_echo && dist_mm <= (had_target ? LAW_FAR_MM + BRAKE_SLACK_FAR_MM : LAW_FAR_MM);
     if (is_echo) {
-        lost_readings = farewell(dist_mm);
+        note_target(dist_mm);
         unlatch(dist_mm);
     }
     if (!is_lasting) { /* then the table, or what holds it, cannot be trusted */

@@ -543,6 +543,31 @@ static void test_a_vanished_near_target_is_gone_after_1200_ms(void)
     TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
 }
 
+/* The silence forgets its speed, not that it was there: one or two echoes between missing ones do not
+ * make it a target that may leave. */
+static void test_a_near_target_does_not_vanish_while_the_sensor_comes_and_goes(void)
+{
+    uint8_t echo_count, i;
+
+    for (echo_count = 1; echo_count <= 2; echo_count++) {
+        uint8_t pct;
+
+        start();
+        echoes(2000, 5);
+        pct = brake.brake_pct;
+        for (i = 0; i < 5; i++) {
+            measure(RANGE_NO_TARGET, 0);
+        }
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+        echoes(2000, echo_count);
+        for (i = 0; i < 5; i++) {
+            measure(RANGE_NO_TARGET, 0);
+            TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+            TEST_ASSERT_EQUAL_UINT8(pct, brake.brake_pct);
+        }
+    }
+}
+
 static void test_a_far_target_may_leave_after_one_doubt(void)
 {
     echoes(4500, 5);
@@ -797,6 +822,7 @@ int main(void)
     RUN_TEST(test_three_good_readings_in_a_row_leave_fault);
     RUN_TEST(test_a_clear_road_leaves_fault_too);
     RUN_TEST(test_a_vanished_near_target_is_gone_after_1200_ms);
+    RUN_TEST(test_a_near_target_does_not_vanish_while_the_sensor_comes_and_goes);
     RUN_TEST(test_a_far_target_may_leave_after_one_doubt);
     RUN_TEST(test_readings_that_jump_about_are_a_fault);
     RUN_TEST(test_the_same_reading_while_closing_is_stuck);
