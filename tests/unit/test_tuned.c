@@ -7,6 +7,7 @@
 #include "cell.c"
 #include "law_tuned.c"
 #include "range.h"
+#include "warned.h"
 
 static void look(uint8_t kind, uint16_t dist_mm)
 {
@@ -167,6 +168,11 @@ static void test_stop_needs_none_of_it(void)
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
 }
 
+static void test_warning_comes_800_ms_before_hard_braking_or_with_the_second_reading(void)
+{
+    assert_warned_in_time(30, 300); /* 0.5 to 5 m/s */
+}
+
 /* --- the table -------------------------------------------------------------------------------- */
 
 static void test_table_falls_with_distance_and_rises_with_speed(void)
@@ -200,6 +206,7 @@ int main(void)
     RUN_TEST(test_a_fast_approach_gets_the_table_and_no_ease);
     RUN_TEST(test_a_constant_gap_gets_a_seventh_then_is_held);
     RUN_TEST(test_stop_needs_none_of_it);
+    RUN_TEST(test_warning_comes_800_ms_before_hard_braking_or_with_the_second_reading);
     RUN_TEST(test_table_falls_with_distance_and_rises_with_speed);
     return UNITY_END();
 }
