@@ -104,11 +104,12 @@ void brake_init(uint8_t fault);
 void brake_fail(uint8_t fault);
 
 /* Must this reading (of kind RANGE_ECHO) stop the car? It needs neither estimator nor table, so ask
- * it first. 20 mc. */
+ * it first. At most 26 mc. */
 bool brake_must_stop(uint16_t dist_mm);
 
 /* One measurement: its range_kind, its distance if that is RANGE_ECHO, and the time from the last
- * trigger to this one, 4..31 hundredths of a second. At most 900 mc. */
+ * trigger to this one, 4..31 hundredths of a second. At most 2,450 mc, as tools/bound finds them: the
+ * packed table, the tuned law. */
 void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs);
 
 /* Every 1/100 s. */
