@@ -215,14 +215,16 @@ $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
 endef
 $(foreach app,$(APPS),$(eval $(call app_rules,$(app))))
 
-# An image that times APP's control step: a main of its own in place of apps/frames.
+# An image that times APP's control step: a main of its own in place of apps/brake or apps/frames. What
+# it does not have to fit is the chip.
+BENCH_LINK := $(SDCC_LINK) --code-size 65536
 define bench_rules
-$(OUT)/bench/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,tests/bench/step tests/bench/$(1) $$(filter-out apps/frames,$$($(1)_MODULES)))
+$(OUT)/bench/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,tests/bench/step $(addprefix tests/bench/,$(if $(filter apps/brake,$($(1)_MODULES)),brake,frames $(firstword $(subst _, ,$(1))))) $$(filter-out apps/brake apps/frames,$$($(1)_MODULES)))
 	@mkdir -p $$(@D)
-	$$(Q)$(SDCC) $(SDCC_LINK) $$^ -o $$@
+	$$(Q)$(SDCC) $(BENCH_LINK) $$^ -o $$@
 $(OUT)/$(1)/tests/%.rel: tests/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) -Ifirmware/apps -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
+	$$(Q)$(SDCC) $(SDCC_FLAGS) -DAPP_NAME='"$(1)"' $($(1)_FLAGS) -Ifirmware/apps -Ifirmware/core -Ifirmware/mcu -I$(OUT)/$(1) -MMD -c $$< -o $$@
 endef
 $(foreach app,$(APPS),$(eval $(call bench_rules,$(app))))
 
@@ -417,9 +419,15 @@ run-report: all grid
 	@tools/report/report.sh $(or $(BOARD),stc89c516rd)
 
 # --- bench ------------------------------------------------------------------------------------
+# The frames of a bench's payloads, as the chip's UART gets them.
+BENCH_LINES := $(patsubst %,build/bench/line_%,radar gap follow park)
+$(BENCH_LINES): build/bench/line_%: tests/bench/line.c tests/bench/%.c tests/bench/step.h tools/drive/head.c tools/drive/random.c | all
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) -std=c11 -D_GNU_SOURCE -I. -Itools/common -Itools/drive -Ibuild $(patsubst %,-Ifirmware/%,apps core mcu) \
+	    $(filter %.c,$^) -lm -o $@
 .PHONY: run-bench
-run-bench: all $(LUT_IMAGES)
-	@for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench; done
+run-bench: all $(LUT_IMAGES) $(BENCH_LINES)
+	@missed=0; for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench || missed=1; done; exit $$missed
 
 # --- targets that install what they need first -------------------------------------------------
 demo fuzz report test test-long:

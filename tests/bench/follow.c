@@ -5,7 +5,7 @@
 #define GAPS     41U
 #define CLOSINGS 9U
 
-const uint16_t __code bench_payloads = GAPS * CLOSINGS * 2U;
+const uint16_t __code bench_steps = GAPS * CLOSINGS * 2U;
 
 static void put(uint8_t at, uint16_t value)
 {

@@ -5,7 +5,7 @@
 #define GAPS   13U
 #define SPEEDS 17U
 
-const uint16_t __code bench_payloads = GAPS * SPEEDS * SPEEDS;
+const uint16_t __code bench_steps = GAPS * SPEEDS * SPEEDS;
 
 static void put(uint8_t at, uint16_t value)
 {

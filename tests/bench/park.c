@@ -6,7 +6,7 @@
 #define YS       13U
 #define HEADINGS 12U
 
-const uint16_t __code bench_payloads = XS * YS * HEADINGS;
+const uint16_t __code bench_steps = XS * YS * HEADINGS;
 
 static void put(uint8_t at, uint16_t value)
 {

@@ -6,7 +6,7 @@
 #define SPEEDS 17U
 #define OWNS   6U
 
-const uint16_t __code bench_payloads = RANGES * SPEEDS * OWNS;
+const uint16_t __code bench_steps = RANGES * SPEEDS * OWNS;
 
 static void put(uint8_t at, uint16_t value)
 {

@@ -13,7 +13,7 @@ run() { # BOARD
     s51_start "$1" "$image" "$cell"
     s51_until 800000
     first=$(s51_first_trigger)
-    s51_echoes "$first" 5 160 2000
+    s51_echoes "$first" 13 160 2000
     s51_until $((first + 60000 * 160))
     s51_stop
     s51_edges "$cell" >"$s51_dir/asked"

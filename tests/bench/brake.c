@@ -1,0 +1,134 @@
+/* Times the brake's control step as it ships, from the end of an echo to the duty set, with telemetry
+ * off: apps/brake.c but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps,
+ * clear roads, missing, stuck and stray echoes, the dead zone, longer pauses and the override; what
+ * never came of states and faults are the misses. */
+#include <8052.h>
+#include "fixed.h"
+#include "step.h"
+#include "hal.h"
+
+uint16_t bench_ticks(void);
+#define hal_echo_ticks bench_ticks
+#define main           brake_main
+#include "../../firmware/apps/brake.c"
+
+const uint16_t __code bench_steps = 4000;
+#define PLAIN_CS 6U
+
+/* An image that never stops never comes there. */
+#if BRAKE_STOP_MM > 0
+#define STATES_DUE ((2U << BRAKE_FAULT) - 1U)
+#else
+#define STATES_DUE (((2U << BRAKE_FAULT) - 1U) & ~(1U << BRAKE_STOP))
+#endif
+
+#define TICKS_PER_MM_Q6 ((uint16_t)(CLK_HZ / 12U * 128U / SOUND_MMPS))
+
+static __idata uint16_t noise = 1, n, place_mm;
+static __idata uint8_t faults_seen, states_seen;
+static __idata int16_t step_mm; /* nearer, each reading */
+static __idata uint16_t echo_ticks;
+
+/* Galois' shift register of 16 bits. */
+static uint8_t chance(void)
+{
+    uint8_t i = 8;
+
+    do {
+        noise = noise & 1 ? noise >> 1 ^ 0xB400 : noise >> 1;
+    } while (--i != 0);
+    return (uint8_t)noise;
+}
+
+uint16_t bench_ticks(void)
+{
+    return echo_ticks;
+}
+
+/* Where the target is now, and how it goes on. */
+static void drive(void)
+{
+    uint8_t what = chance();
+
+    if (what < 16) { /* another one, or the same one somewhere else */
+        place_mm = (uint16_t)((uint16_t)(chance() << 8 | chance()) % 6100U);
+        step_mm = (int16_t)chance();
+        step_mm = what < 4 ? (int16_t)(step_mm << 3) : what < 8 ? (int16_t)-step_mm : what < 12 ? step_mm : 0;
+    } else if (what < 24) {
+        step_mm = (int16_t)(step_mm >> 2);
+    } else if (what < 28) { /* a stray reading */
+        place_mm ^= 1024;
+    }
+    if (what >= 32) { /* the rest repeat the last reading */
+        place_mm -= (uint16_t)step_mm;
+    }
+    if (place_mm > 6200U) {
+        place_mm = step_mm < 0 ? 6200U : 10;
+        step_mm = -step_mm;
+    }
+}
+
+static uint8_t next_echo(void)
+{
+    uint8_t what = chance();
+
+    elapsed_cs = PLAIN_CS;
+    if (what < 8) {
+        elapsed_cs = (uint8_t)(CLOSING_ELAPSED_MIN_CS + (chance() & 15));
+    }
+    if (what >= 250) {
+        return what & 1 ? HAL_ECHO_NOT_RISEN : HAL_ECHO_NOT_FALLEN;
+    }
+    echo_ticks = (uint16_t)(mul_u16(place_mm, TICKS_PER_MM_Q6) >> 6);
+    if (what >= 240) {
+        echo_ticks = 38000U;
+    }
+    return HAL_ECHO_DONE;
+}
+
+static void pass_time(void)
+{
+    uint8_t cs = elapsed_cs;
+    bool is_held = (n & 1023U) < 40U;
+
+    do {
+        brake_tick(is_held);
+    } while (--cs != 0);
+}
+
+uint16_t bench_step(uint16_t step)
+{
+    uint16_t taken;
+    uint8_t echo;
+
+    n = step;
+    if (n == 0) {
+        TH1 = 0x80; /* a second phase with time left, in which a new duty takes the longer way */
+        brake_init(BRAKE_FAULT_NONE);
+    }
+    drive();
+    echo = next_echo();
+    pass_time();
+    BENCH_START();
+    control_step(echo);
+    taken = BENCH_STOP();
+    faults_seen |= 1U << brake.fault;
+    states_seen |= 1U << brake.state;
+    return taken;
+}
+
+/* How many of these bits are not set. */
+static uint8_t zeros(uint8_t due, uint8_t seen)
+{
+    uint8_t count = 0;
+
+    for (due &= (uint8_t)~seen; due != 0; due &= (uint8_t)(due - 1U)) {
+        count++;
+    }
+    return count;
+}
+
+uint16_t bench_misses(void)
+{
+    return zeros((uint8_t)((2U << BRAKE_FAULT_LOST) - 1U), faults_seen) + zeros(STATES_DUE, states_seen);
+}

@@ -1,0 +1,222 @@
+#!/bin/bash
+# What each controller takes on each board that holds it: machine cycles of its control step, interrupt
+# load, stack, flash, RAM; and of the brake all delays from an echo's end on. Goals are design's; exits
+# with 1 if one is missed.
+#     tests/bench/firmware.sh [BOARD...]         after `make run-bench` has built what it needs
+# Images run in s51 with the modules and the memory model that ship. A step's own cycles come from an
+# image that takes it thousands of times (tests/bench/step.c), all else from the images that ship: the
+# brake hears echoes of a drive of chance (readings.awk), the others a frame after another with no pause,
+# which is the most that the line carries. s51 takes 2 cycles too few for an interrupt: they are added.
+set -eu
+cd "$(dirname "$0")/../.."
+. tests/chip/lib.sh
+work=build/bench/firmware
+FRAMES=80
+mkdir -p "$work"
+
+apps() { awk '$1 == "APPS" { for (i = 3; i <= NF; i++) print $i }' "firmware/boards/$1.mk"; } # BOARD
+is_brake() { case $1 in brake | tuned | classic | first | none) ;; *) false ;; esac; }
+
+# --- measuring: of each controller a file of "name value" lines ------------------------------------
+
+# Least and most cycles of the step.
+step_cycles() { # BOARD APP
+    local image=build/$1/bench/$2.ihx log=$work/$1-$2.log line
+    [ -r "$image" ] || {
+        echo "firmware.sh: error: no image '$image'; run: make BOARD=$1 $image" >&2
+        exit 1
+    }
+    # s51 leaves early when its input is closed, and always with 0: only the image's own "end" counts.
+    coproc open_pipe { exec sleep 3000; }
+    timeout -k 1 3000 prlimit --cpu=120 s51 -t C52 -q -b -R 1 -G -I "if=xram[0xffff]" "$image" \
+        <&"${open_pipe[0]}" >"$log" 2>&1 || true
+    kill "$open_pipe_PID" 2>/dev/null
+    wait "$open_pipe_PID" 2>/dev/null || true
+    line=$(grep -aE '^[0-9]+ [0-9]+ [0-9]+ end$' "$log") || {
+        echo "firmware.sh: error: $image did not come to its end in s51; see $log" >&2
+        exit 1
+    }
+    set -- $line
+    [ "$3" -eq 0 ] || {
+        echo "firmware.sh: error: $image refused payloads, or missed states: $3 of them" >&2
+        exit 1
+    }
+    echo "step_least $1"
+    echo "step_most $2"
+}
+
+# The most that any path takes, as tools/bound finds it in the linked image.
+bounded() { # BOARD APP FUNCTION
+    awk -v name="$3:" '$1 == name { print $4 }' "build/$1/$2.bound"
+}
+
+# From what s51_ask said: the load of interrupts, of which there were so many a second and so many more;
+# and the stack.
+load_and_stack() { # BOARD APP PER_SECOND MORE
+    local stack_from
+    stack_from=$(awk '/^Stack starts at/ { print $4 }' "build/$1/$2.mem")
+    awk -v per_second="$3" -v more="$4" -v clk_hz="$(s51_board "$1" CLK_HZ)" -v from="$((stack_from))" '
+        $1 == "clocks" { all = $2 }
+        $1 == "clocks_in_interrupts" {
+            interrupts = per_second * all / clk_hz + more
+            printf "load_pct %.2f\n", 100 * ($2 + 24 * interrupts) / all
+        }
+        $1 == "ram" {
+            for (i = NF; i > 1 && $i == "aa"; i--) {
+            }
+            printf "stack_used %d\nstack_left %d\n", i - 1 - from, NF - i
+        }' "$s51_dir/state"
+}
+
+# Echo to duty: the longest times from the end of an echo to the moment at which the duty is set (the
+# step's number is counted right after it), to the pin, and to the stop line.
+run_brake() { # BOARD APP
+    local seq pct first start readings=50
+    case $2 in brake | tuned) readings=300 ;; esac # the others are for stack and load
+    seq=$(s51_steps_cell "$1" "$2")
+    pct=$(s51_cell "build/$1/$2.ihx" brake)
+    s51_start "$1" "build/$1/$2.ihx" "$seq" "$pct"
+    s51_until 800000
+    first=$(s51_first_trigger)
+    start=$((first + (900000 - first) / 60000 * 60000))
+    awk -v "first_us=$start" -v "count=$readings" -v "falls=$s51_dir/falls" -f tests/bench/readings.awk >&"$s51_pins"
+    s51_until $((start + 60000 * readings))
+    s51_ask $((start + 60000 * readings + 10)) >"$s51_dir/state"
+    s51_stop
+    s51_answers "$seq" "$s51_dir/falls" >"$s51_dir/set"
+    s51_edges "$pct" >"$s51_dir/pct"
+    s51_edges port1_value.1 >"$s51_dir/stop"
+    s51_edges port1_value.0 >"$s51_dir/pwm"
+    # The duty that each echo led to.
+    awk '
+        FNR == NR { pct_at[++pcts] = $1; pct[pcts] = $2; next }
+        {
+            while (k < pcts && pct_at[k + 1] <= $2) k++
+            print $1, pct[k]
+        }' "$s51_dir/pct" "$s51_dir/set" >"$s51_dir/asked"
+    awk -v "clk_hz=$(s51_board "$1" CLK_HZ)" '
+        FILENAME ~ /set$/ { mc = ($2 - $1) * clk_hz / 12e6; if (mc > set) set = mc; fall[++falls] = $1; next }
+        $2 != level && (level = $2) == 1 {
+            while (k < falls && fall[k + 1] < $1) k++
+            mc = ($1 - fall[k]) * clk_hz / 12e6
+            if (k && mc < 20000 && mc > stop) stop = mc # later ones have another cause than this echo
+        }
+        END { printf "set_readings %d\nset_most %.0f\nstop_most %.0f\n", falls, set, stop }' "$s51_dir/set" "$s51_dir/stop"
+    awk -v "clk_hz=$(s51_board "$1" CLK_HZ)" -f tests/chip/pwm_periods.awk "$s51_dir/asked" "$s51_dir/pwm" 2>/dev/null |
+        sed 's/.* late_us /pin_us /'
+    load_and_stack "$1" "$2" 200 0
+    s51_clean
+}
+
+run_frames() { # BOARD APP
+    local kinds=(radar gap follow park) family=${2%%_*} kind=0 bytes per_second=200
+    while [ "${kinds[kind]}" != "$family" ]; do kind=$((kind + 1)); done
+    bytes=$(awk '$2 ~ /_PAYLOAD_BYTES$/ { print $3 }' "firmware/core/$family.h")
+    [ "$family" = radar ] || per_second=300 # the servo's
+    S51_TYPES=1 s51_start "$1" "build/$1/$2.ihx"
+    s51_until 400000
+    "build/bench/line_$family" $((kind + 1)) "$bytes" "$FRAMES" >"$s51_dir/frames"
+    cat "$s51_dir/frames" >&"$s51_keys"
+    s51_until $((500000 + $(wc -c <"$s51_dir/frames") * 1050))
+    s51_ask $((500010 + $(wc -c <"$s51_dir/frames") * 1050)) >"$s51_dir/state"
+    s51_stop
+    # A byte in and a byte out are an interrupt each.
+    load_and_stack "$1" "$2" "$per_second" $(($(wc -c <"$s51_dir/frames") + $(wc -c <"$s51_uart")))
+    s51_clean
+}
+
+measure() { # BOARD APP
+    step_cycles "$1" "$2"
+    if is_brake "$2"; then run_brake "$1" "$2"; else run_frames "$1" "$2"; fi
+    # memory.sh's line: code N of M bytes, RAM N of M bytes
+    tools/memory.sh "$1" "$2" | sed -E 's/.* code +([0-9]+) .* RAM +([0-9]+) of.*/flash \1\nram \2/'
+}
+
+if [ "${1:-}" = --measure ]; then
+    measure "$2" "$3" >"$work/$2-$3.part"
+    mv "$work/$2-$3.part" "$work/$2-$3"
+    exit
+fi
+
+[ $# -gt 0 ] || set -- $(cd firmware/boards && ls -- *.mk | sed 's/\.mk//')
+rm -f "$work"/*
+for board; do
+    for app in $(apps "$board"); do echo "build/$board/bench/$app.ihx"; done | xargs make -s "BOARD=$board" >&2
+    for app in $(apps "$board"); do echo "$board $app"; done
+done >"$work/jobs"
+xargs -P "${JOBS:-$(nproc)}" -L 1 "$0" --measure <"$work/jobs" &
+while kill -0 $! 2>/dev/null; do
+    sleep 1
+    if [ -t 2 ]; then printf '\r%d of %d images measured ' "$(ls "$work" | grep -cv '[.]\|jobs')" "$(wc -l <"$work/jobs")" >&2; fi
+done
+if [ -t 2 ]; then echo >&2; fi
+wait $! || {
+    echo "firmware.sh: error: not all images were measured; see above" >&2
+    exit 1
+}
+
+# --- tables ----------------------------------------------------------------------------------------
+value() { awk -v name="$3" '$1 == name { print $2 }' "$work/$1-$2"; } # BOARD APP NAME
+missed=0
+goal() { # VALUE LIMIT
+    if awk -v value="$1" -v limit="$2" 'BEGIN { exit !(value <= limit) }'; then
+        echo met
+    else
+        echo 'NOT MET'
+        missed=1
+    fi
+}
+
+printf '%-12s %-13s %11s %11s %6s %7s %5s %15s\n' board controller 'step, least' 'most cycles' 'load %' flash RAM 'stack used left'
+while read -r board app; do
+    printf '%-12s %-13s %11s %11s %6s %7s %5s %10s %4s\n' "$board" "$app" "$(value "$board" "$app" step_least)" \
+        "$(value "$board" "$app" step_most)" "$(value "$board" "$app" load_pct)" "$(value "$board" "$app" flash)" \
+        "$(value "$board" "$app" ram)" "$(value "$board" "$app" stack_used)" "$(value "$board" "$app" stack_left)"
+    [ "$(value "$board" "$app" stack_left)" -gt 0 ] || missed=1
+done <"$work/jobs"
+
+row() { # WHAT VALUE LIMIT UNIT
+    local verdict
+    verdict=$(goal "$2" "$3")
+    [ "$verdict" = met ] || missed=1
+    printf '    %-46s %8s   goal: at most %-9s %s\n' "$1" "$2" "$3 $4" "$verdict"
+}
+
+# Bytes of code and constants that each module's object has; what is over is SDCC's library.
+modules() { # BOARD APP
+    for object in build/"$1"/"$2"/{apps,core,mcu}/*.rel; do
+        awk -v name="$(echo "$object" | sed 's|.*/\([a-z]*/[a-z0-9_]*\)\.rel|\1|')" '
+            function hex(text,    i, n) { for (i = 1; i <= length(text); i++) n = 16 * n + index("0123456789ABCDEF", substr(text, i, 1)) - 1; return n }
+            $1 == "A" && $2 ~ /^(HOME|GSINIT|GSFINAL|CSEG|CONST|XINIT)/ { sum += hex($4) }
+            END { print sum, name }' "$object"
+    done | sort -rn | awk -v all="$(value "$1" "$2" flash)" '
+        { sum += $1; line = line " " $2 " " $1 }
+        END { print line " library " all - sum }' | xargs -n 12 | sed 's/^/        /'
+}
+
+for board; do
+    clk_hz=$(s51_board "$board" CLK_HZ)
+    for app in brake tuned; do
+        encoding=$(s51_board "$board" ENCODING)
+        case $app-$encoding in
+        brake-*) table=$encoding ;;
+        tuned-packed) table=packed-tuned ;;
+        *) table= ;;
+        esac
+        echo "$board, $app, at $((clk_hz / 1000)) kHz:"
+        row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" 1000 mc
+        row 'of it the step alone, mc' "$(value "$board" $app step_most)" 1000 mc
+        printf '    %-46s %8s\n' 'no path of it, with its report, takes more, mc' "$(bounded "$board" $app control_step)"
+        row 'echo end to stop line, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
+        # The step, 0.3 ms of notice for the PWM, and a period of it.
+        row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" 11300 us
+        if [ -n "$table" ]; then
+            read -r _ _ _ _ _ most _ < <(tests/lut/run.sh "build/lut/$table")
+            row "table fetch, $table, mc" "$most" "$([ "$encoding" = plain ] && echo 24 || echo 120)" mc
+        fi
+        row 'interrupts (all PWM), % of all cycles' "$(value "$board" $app load_pct)" 3 %
+        echo "    $(value "$board" $app set_readings) readings; bytes of code:"
+        modules "$board" $app
+    done
+done
+exit $missed

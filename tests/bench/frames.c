@@ -1,0 +1,26 @@
+/* Times a control step of a controller on frames as it ships: in place of apps/frames.c. A step is
+ * app_read and app_decide together, over the payloads of tests/bench/APP.c. */
+#include <8052.h>
+#include "frames.h"
+#include "step.h"
+
+/* Direct RAM is the controllers'. */
+static __idata uint16_t refused;
+
+uint16_t bench_step(uint16_t n)
+{
+    if (n == 0)
+        app_init();
+    bench_payload(n);
+    BENCH_START();
+    if (app_read())
+        app_decide();
+    else
+        refused++;
+    return BENCH_STOP();
+}
+
+uint16_t bench_misses(void)
+{
+    return refused;
+}
