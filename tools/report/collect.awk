@@ -194,7 +194,7 @@ BEGIN {
     for (k = 1; k <= groups; k++) { parts(entry["group", k], part); group[k] = part[1]; group_title[k] = part[2]; listed[k] = part[3] != "figure" }
     measures = entries["measure"]
     for (k = 1; k <= measures; k++) { parts(entry["measure", k], part); measure[k] = part[1]; measured[part[1]] = 1 }
-    for (k = 1; k <= entries["tile"]; k++) { parts(entry["tile", k], part); if (part[4] != "met" && part[4] != "limit" && !(part[4] in measured)) { measure[++measures] = part[4]; measured[part[4]] = 1 } }
+    for (k = 1; k <= entries["tile"]; k++) { parts(entry["tile", k], part); if (part[4] !~ /^(met|impacts|limit)$/ && !(part[4] in measured)) { measure[++measures] = part[4]; measured[part[4]] = 1 } }
     images = 0
     for (k = 1; k <= entries["image"]; k++) {
         parts(entry["image", k], part)
@@ -367,7 +367,7 @@ END {
     draw_traces()
     about = image_list = scenario_list = ""
     for (k = 1; k <= entries["about"]; k++) about = add(about, quote(entry["about", k]))
-    if (missing != "") about = add(about, quote("Not built for this board, so not here: " missing "."))
+    if (missing != "") about = add(about, quote("Not run, so not here: " missing "."))
     for (k = 1; k <= images; k++)
         image_list = add(image_list, "{" pair("id", image[k]) "," pair("name", image_name[k]) "," pair("short", image_short[k]) ",\"colour\":" colour[k] "}")
     for (s = 1; s <= scenarios; s++)

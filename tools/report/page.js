@@ -40,12 +40,12 @@ function figure(id, caption) {
 /* --- key figures --------------------------------------------------------------------------------- */
 
 function tileValue(tab, image, tile) {
-    if (tile.kind === "met") {
+    if (tile.kind === "met" || tile.kind === "impacts") {
         /* Of the scenarios that all ran, so that the numbers compare; of its own where there are none. */
         const listed = tab.groups.filter((group) => group.listed).flatMap((group) => group.scenarios);
         const common = listed.filter((scenario) => tab.images.every((one) => runOf(tab, one.id, scenario)));
         const runs = (common.length ? common : listed).map((scenario) => runOf(tab, image, scenario)).filter((run) => run);
-        return `${runs.filter((run) => run.met).length} of ${runs.length}`;
+        return `${runs.filter((run) => (tile.kind === "met" ? run.met : run.values?.impact_mps > 0)).length} of ${runs.length}`;
     }
     if (tile.kind === "limit") {
         /* The highest of the rising values in a group's names up to which all was well. */
@@ -76,9 +76,9 @@ function cell(run, measure, first) {
     const place = `measure measure-${measure.index}${first ? " first" : ""}`;
     if (!run) return make("td", { class: `${place} gone`, title: "not run" }, "");
     if (!run.ok) return make("td", { class: `${place} lost`, title: "this run failed" }, "failed");
-    if (measure.key === "impact_mps" && !(value > 0)) return make("td", { class: `${place} gone` }, "none");
-    const hit = measure.key === "impact_mps" && value > 0;
-    return make("td", { class: place + (hit ? " hit" : value == null ? " gone" : "") }, number(value, measure.digits));
+    const hit = measure.key === "impact_mps" && value > 0, unmet = measure.index === 0 && !run.met ? " unmet" : "";
+    if (measure.key === "impact_mps" && !hit) return make("td", { class: `${place}${unmet} gone` }, "none");
+    return make("td", { class: `${place}${unmet}${hit ? " hit" : value == null ? " gone" : ""}` }, number(value, measure.digits));
 }
 
 function table(tab, show) {
@@ -107,7 +107,7 @@ function table(tab, show) {
     const choice = make("select", { class: "only", "aria-label": "measure", onchange: () => { whole.dataset.measure = choice.value; } },
         ...measures.map((measure) => make("option", { value: measure.index }, `${measure.name}${measure.unit ? ", " + measure.unit : ""}`)));
     return make("section", { class: "card" }, make("h2", {}, "All runs"),
-        make("p", { class: "note" }, "Choose a row to replay it."), choice, make("div", { class: "scroll" }, whole));
+        make("p", { class: "note" }, "Choose a row to replay it. ", make("span", { class: "unmet" }, "something owed is not met.")), choice, make("div", { class: "scroll" }, whole));
 }
 
 /* --- a tab ------------------------------------------------------------------------------------------- */

@@ -72,11 +72,13 @@ function makePlayer(tab) {
     const outcome = make("ul", { class: "outcome" });
     const cursor = make("div", { class: "cursor" });
     const drawing = make("figure");
+    const legend = [tab.images.length > 1 ? "Faint: the other controllers." : "", tab.scene.speedColumn ? "Dashed: the speed of the car ahead." : ""].join(" ").trim();
     const trace = make("div", { class: "trace" }, drawing, cursor);
 
     player.element = make("section", { class: "card player" }, make("h2", {}, "Replay"),
         make("div", { class: "pick" }, scenarios), make("div", { class: "pick chips" }, ...chips, together), scene,
-        make("div", { class: "transport" }, play, slider, clock, speed), readout, outcome, trace);
+        make("div", { class: "transport" }, play, slider, clock, speed), readout, outcome, trace,
+        make("p", { class: "note" }, legend));
 
     const shown = () => (state.all ? tab.images.map((image) => image.id) : [state.image])
         .map((image) => ({ image, run: runOf(tab, image, state.scenario) })).filter((one) => one.run?.trace);
@@ -102,7 +104,7 @@ function makePlayer(tab) {
         dim();
         const run = runOf(tab, state.image, state.scenario);
         outcome.replaceChildren(...(run?.expect ?? []).filter((one) => one.text !== "impact = any").map((one) =>
-            make("li", { class: one.met ? "met" : "unmet" }, `${one.text}: ${one.value}`)));
+            make("li", { class: one.met ? "met" : "unmet" }, `${one.text} (${one.value})`)));
         draw();
     }
 
