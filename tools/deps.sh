@@ -11,7 +11,7 @@ packages_for() {
     case $1 in
     build) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
-    test) echo "$build gnuplot-nox parallel chromium avrdude" ;;
+    test) echo "$build gnuplot-nox parallel rsync chromium avrdude" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
     fuzz) echo "$build clang libclang-rt-14-dev" ;;
     report) echo "$build gnuplot-nox parallel rsync" ;;

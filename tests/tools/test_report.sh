@@ -53,8 +53,9 @@ exec build/drive "\$@"
 END
 chmod +x "$out/drive"
 start_report() { # in place of the shell that calls it
-    exec env DRIVE="$out/drive" REPORT_OUT="$out/report" MAP=coarse JOBS=2 IMAGES="${images:-brake}" \
-        ONLY="${only:-seen_02.0 false_open cutin_1.5}" tools/report/report.sh "${board:-stc89c516rd}" >"$out/log" 2>&1
+    exec env DRIVE="${drive:-$out/drive}" REPORT_OUT="$out/report" MAP=coarse JOBS=2 IMAGES="${images:-brake}" \
+        ONLY="${only:-seen_02.0 false_open cutin_1.5}" SSHLOGIN="${login:-:}" \
+        tools/report/report.sh "${board:-stc89c516rd}" >"$out/log" 2>&1
 }
 run_report() {
     (start_report)
@@ -150,6 +151,26 @@ wrong=
 [ "$(calls)" = $((wanted - done_before)) ] || wrong="$wrong $(calls) runs to complete $done_before of $wanted"
 [ "$(grep -c '"ok":true' "$out/report/work/brake.json")" = "$wanted" ] || wrong="$wrong not all are there"
 case_is $LINENO an_interrupted_report_goes_on "$wrong"
+
+# Another machine, by a stand-in for ssh: a folder that has nothing of ours. Two runs at a time use one
+# image there, this machine runs its share, and nothing is left behind.
+cat >"$out/ssh" <<END
+#!/bin/sh
+echo "\$@" >>$PWD/$out/ssh_calls
+while [ "\$1" != far ]; do shift; done
+shift
+[ "\$1" != -- ] || shift
+cd $PWD/$out/far && HOME=\$PWD exec sh -c "\$*"
+END
+chmod +x "$out/ssh"
+mkdir -p "$out/far"
+rm -rf "$out/report/runs"
+drive=build/drive only='seen_0[0-5]* cutin_*' login="1/:,2/$PWD/$out/ssh far" run_report
+status=$?
+wrong=
+[ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
+grep -q GNU_Parallel_worker "$out/ssh_calls" || wrong="$wrong nothing ran there"
+case_is $LINENO runs_on_another_machine "$wrong$(find "$out/far" -mindepth 1 | head -n 3)"
 
 # --- the page --------------------------------------------------------------------------------------------
 # One run for each tab.

@@ -145,14 +145,16 @@ progress() {
 
 remote=()
 if [ "$SSHLOGIN" != : ]; then
-    remote=(--workdir . --basefile "$DRIVE" --basefile $here/run_one.sh --transferfile '{2}' --transferfile '{4}'
+    # Each run in a folder of its own, so that no run's clean-up takes another one's files, nor ours
+    # where the other machine has our home. On this machine, run_one.sh is not brought there but here.
+    remote=(--workdir ... --transferfile "$DRIVE" --transferfile $here/run_one.sh --transferfile '{2}' --transferfile '{4}'
         --return "$runs/{1}" --cleanup)
 fi
 if [ "$todo" -gt 0 ]; then
     # Whoever ends this script, and be it by its process number alone, ends the runs with it.
     # shellcheck disable=SC1083  # parallel's own braces
     exec 3< <(exec parallel --will-cite --colsep '\t' ${JOBS:+--jobs "$JOBS"} --sshlogin "$SSHLOGIN" "${remote[@]}" --env DRIVE \
-        $here/run_one.sh {1} {2} {3} {4} {5} "$runs" <"$work/todo")
+        "[ -x $here/run_one.sh ] || cd $(printf %q "$PWD") && $here/run_one.sh {1} {2} {3} {4} {5} $(printf %q "$runs")" <"$work/todo")
     running=$!
     trap 'kill $running; wait $running || true; echo "report.sh: error: stopped; the same command goes on from here" >&2; exit 130' INT TERM HUP
     progress <&3
