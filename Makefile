@@ -111,8 +111,9 @@ build/boards.h: Makefile $(wildcard firmware/boards/*.mk)
 # modules, the one with main first, as SDCC's manual asks.
 ANY_MODULES   := $(addprefix core/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
 FRAME_MODULES := apps/frames $(ANY_MODULES) core/frame core/link mcu/head
-# The function of such a program that is one control step, from what came in to the pins.
-CONTROL_STEP   = $(if $(filter apps/brake,$($(1)_MODULES)),control_step,take_frame)
+# The functions of such a program whose time its .bound tells: one control step, from what came in to the
+# pins, and the other jobs of a round of the brake.
+BOUND_CYCLES = $(if $(filter apps/brake,$($(1)_MODULES)),control_step talk listen advance_clock brake_tick hal_stack_is_good apply show,take_frame)
 
 brake_TABLE   := $(TABLE)
 BRAKE_MODULES := apps/brake $(ANY_MODULES) $(addprefix core/,brake closing range) mcu/echo mcu/uart
@@ -210,7 +211,7 @@ $(OUT)/$(1)/%.rel: firmware/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
 	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
 	$$(Q)$(SDCC) $(SDCC_LINK) $$(filter %.rel,$$^) -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
-	$$(Q)build/bound --iram=$(IRAM_BYTES) --cycles=$(call CONTROL_STEP,$(1)) --round=main $$@ $$(@:.ihx=.map) \
+	$$(Q)build/bound --iram=$(IRAM_BYTES) $(patsubst %,--cycles=%,$(call BOUND_CYCLES,$(1))) --round=main $$@ $$(@:.ihx=.map) \
 	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
 endef
 $(foreach app,$(APPS),$(eval $(call app_rules,$(app))))
@@ -247,7 +248,7 @@ flash: $(OUT)/$(APP).hex
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
 
-KNOBS = $(TABLE) $(ENCODING) $(ESTIMATOR) $(subst ',,$(SDCC_FLAGS))
+KNOBS = $(TABLE) $(ENCODING) $(ESTIMATOR) $(call BOUND_CYCLES,brake) $(subst ',,$(SDCC_FLAGS))
 # Changes when a knob does, so that objects of other settings are never linked.
 $(OUT)/board.stamp: FORCE
 	@mkdir -p $(@D); echo '$(KNOBS)' | cmp -s - $@ || echo '$(KNOBS)' >$@
