@@ -20,6 +20,8 @@ function selfTest() {
         const panel = tab.content.panel;
         check(!panel.hidden && tabs.every((one) => one === tab || !one.content || one.content.panel.hidden), `${tab.id}: alone in sight`);
         check(document.documentElement.scrollWidth <= innerWidth, `${tab.id}: ${document.documentElement.scrollWidth} px wide in a window of ${innerWidth}`);
+        for (const one of panel.querySelectorAll("table"))
+            check(one.scrollWidth <= one.parentElement.clientWidth, `${tab.id}: a table of ${one.scrollWidth} px in ${one.parentElement.clientWidth}`);
         for (const one of panel.querySelectorAll("figure"))
             check(one.closest(".trace") || one.querySelector("svg"), `${tab.id}: a figure is missing`);
         const player = tab.content.player, description = data.tabs.find((one) => one.id === tab.id);
