@@ -29,8 +29,8 @@ static uint8_t idle_wait;       /* ticks */
 
 static uint8_t until_trigger;   /* ticks */
 static uint8_t triggered;       /* tick */
-static uint8_t elapsed_cs;      /* between the last two triggers */
 static bool is_measuring;
+static uint16_t dist_mm;        /* measured last; 0: no echo */
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */
@@ -58,7 +58,7 @@ static void apply(void)
 }
 
 /* One line a control step; dropped, and counted, when the one before is not out. */
-static void report(uint16_t dist_mm)
+static void report(void)
 {
     union telemetry_value __idata *value = telemetry_values;
     uint16_t speed_mmps = BRAKE_SPEED.closing_mmps;
@@ -93,9 +93,9 @@ static void report(uint16_t dist_mm)
 static void control_step(uint8_t echo)
 {
     uint8_t kind = RANGE_NOT_RISEN;
-    uint16_t dist_mm = 0;
 
     is_measuring = false;
+    dist_mm = 0;
     if (echo == HAL_ECHO_DONE) {
         dist_mm = range_mm(hal_echo_ticks());
         kind = range_kind(dist_mm);
@@ -108,9 +108,17 @@ static void control_step(uint8_t echo)
     } else if (echo == HAL_ECHO_NOT_FALLEN) {
         kind = RANGE_NOT_FALLEN;
     }
-    brake_step(kind, dist_mm, elapsed_cs);
+    brake_step(kind, dist_mm);
     apply();
-    report(dist_mm);
+}
+
+/* A measurement is over: the brake first, all else after it. */
+static void conclude(uint8_t echo)
+{
+    control_step(echo);
+    brake_finish();
+    apply();
+    report();
 }
 
 static void measure(void)
@@ -118,13 +126,13 @@ static void measure(void)
     uint8_t now = hal_ticks();
 
     if (is_measuring) {
-        control_step(hal_echo());
+        conclude(hal_echo());
     }
     stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
-    elapsed_cs = now - triggered;
-    triggered = now;
     hal_trigger();
     is_measuring = true;
+    brake_expect((uint8_t)(now - triggered));
+    triggered = now;
 }
 
 static void finish_selftest(uint8_t fault)
@@ -274,7 +282,7 @@ void main(void)
         if (is_testing) {
             test();
         } else if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
-            control_step(HAL_ECHO_DONE);
+            conclude(HAL_ECHO_DONE);
         }
         talk();
         listen();

@@ -17,6 +17,8 @@ static __bit is_latched;        /* STOP */
 static __bit is_sure;           /* of it: a second reading or a tracked approach said the same */
 static uint16_t raw_mm;         /* the last echo, believed or not */
 static __bit is_stuck;
+static __bit is_unfinished;     /* brake_finish is due */
+static __bit is_prompt;         /* this measurement, LAW_ENTER_CS or less after the one before */
 
 /* Less often used: the RAM that instructions address is nearly full. */
 static __idata uint8_t good_readings;    /* in a row, while in FAULT */
@@ -72,6 +74,7 @@ void brake_init(uint8_t fault)
     lost_readings = 0;
     raw_mm = 0;
     is_stuck = false;
+    is_unfinished = false;
     brake.warn = false;
     brake.row = 0;
     brake.col = 0;
@@ -174,24 +177,24 @@ static void warn(uint16_t dist_mm)
 }
 
 /* What an echo is worth: BRAKE_FAULT_NONE, or why it is not believed. */
-static uint8_t judge_echo(uint16_t dist_mm, uint8_t elapsed_cs)
+static uint8_t judge_echo(uint16_t dist_mm)
 {
     uint8_t trouble = BRAKE_FAULT_NONE;
 
     note_repeats(dist_mm);
     if (is_stuck) {
-        closing_skip(elapsed_cs);
         trouble = BRAKE_FAULT_STUCK;
-    } else if (!closing_update(dist_mm, elapsed_cs)) {
+    } else if (!closing_update(dist_mm)) {
         trouble = BRAKE_FAULT_JUMP;
+    } else if (closing_samples == 3) {
+        BRAKE_TAKE_FIRST();
     }
     latch(dist_mm, trouble == BRAKE_FAULT_NONE && closing_samples == 3);
     return trouble;
 }
 
-static uint8_t judge_no_echo(uint8_t kind, uint8_t elapsed_cs)
+static uint8_t judge_no_echo(uint8_t kind)
 {
-    closing_skip(elapsed_cs);
     is_stuck = false;
     raw_mm = 0;
     if (kind != RANGE_NO_TARGET) {
@@ -213,10 +216,16 @@ static uint8_t judge_no_echo(uint8_t kind, uint8_t elapsed_cs)
     return BRAKE_FAULT_NONE;
 }
 
-void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
+void brake_expect(uint8_t elapsed_cs)
+{
+    is_prompt = elapsed_cs <= LAW_ENTER_CS;
+    closing_expect(elapsed_cs);
+}
+
+void brake_step(uint8_t kind, uint16_t dist_mm)
 {
     __bit is_echo = kind == RANGE_ECHO;
-    uint8_t trouble = is_echo ? judge_echo(dist_mm, elapsed_cs) : judge_no_echo(kind, elapsed_cs);
+    uint8_t trouble = is_echo ? judge_echo(dist_mm) : judge_no_echo(kind);
     __bit is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
     __bit had_target = has_target, was_clear = is_clear;
     uint8_t target = LAW_TRACKED, wanted_pct = 0;
@@ -234,21 +243,18 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
     silence_cs = 0;
     is_clear = !is_echo;
     has_target = is_echo && dist_mm <= (had_target ? LAW_FAR_MM + BRAKE_SLACK_FAR_MM : LAW_FAR_MM);
+    is_unfinished = true;
     if (is_echo) {
         note_target(dist_mm);
-        unlatch(dist_mm);
     }
-    if (!is_lasting) { /* then the table, or what holds it, cannot be trusted */
-        warn(is_echo ? dist_mm : 65535U);
-        if (has_target) {
-            if (!had_target) {
-                target = LAW_NEW;
-                if (closing_samples == 1) {
-                    target = was_clear && elapsed_cs <= LAW_ENTER_CS ? LAW_ENTERED : LAW_GLIMPSE;
-                }
+    if (has_target && !is_lasting) { /* then the table, or what holds it, cannot be trusted */
+        if (!had_target) {
+            target = LAW_NEW;
+            if (closing_samples == 1) {
+                target = was_clear && is_prompt ? LAW_ENTERED : LAW_GLIMPSE;
             }
-            wanted_pct = law_step(dist_mm, target);
         }
+        wanted_pct = law_step(dist_mm, target);
     }
     if (is_lasting || (is_fault && ++good_readings < BRAKE_GOOD_READINGS)) {
         if (demand_pct < wanted_pct) {
@@ -258,6 +264,24 @@ void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs)
         is_fault = false;
         brake.fault = BRAKE_FAULT_NONE;
         demand_pct = wanted_pct;
+    }
+    settle();
+}
+
+void brake_finish(void)
+{
+    if (!is_unfinished) {
+        return;
+    }
+    is_unfinished = false;
+    if (raw_mm != 0) {
+        if (closing_samples == 3) {
+            BRAKE_TAKE_LATER();
+        }
+        unlatch(raw_mm);
+    }
+    if (brake.fault < BRAKE_FAULT_TABLE) {
+        warn(raw_mm != 0 ? raw_mm : 65535U);
     }
     settle();
 }

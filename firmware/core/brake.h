@@ -13,16 +13,21 @@
 #include "cc51.h"
 #include "closing.h"
 
-/* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth. The release of
+/* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth; the other one can
+ * wait until the brake has acted. The release of
  * STOP and the warning always ask the smooth one. And how many cells further or slower the target
  * must seem before the brake follows: for at most one step of more than 2 points a second at 2 cm of
  * noise. */
 #if defined(ESTIMATOR_smooth)
 #define BRAKE_SPEED      closing_smooth
+#define BRAKE_TAKE_FIRST closing_take_smooth
+#define BRAKE_TAKE_LATER closing_take_difference
 #define BRAKE_SLACK_ROWS 1U
 #define BRAKE_SLACK_COLS 0U
 #else
 #define BRAKE_SPEED      closing_difference
+#define BRAKE_TAKE_FIRST closing_take_difference
+#define BRAKE_TAKE_LATER closing_take_smooth
 #define BRAKE_SLACK_ROWS 2U
 #define BRAKE_SLACK_COLS 2U
 #endif
@@ -107,10 +112,16 @@ void brake_fail(uint8_t fault);
  * it first. At most 26 mc. */
 bool brake_must_stop(uint16_t dist_mm);
 
-/* One measurement: its range_kind, its distance if that is RANGE_ECHO, and the time from the last
- * trigger to this one, 4..31 hundredths of a second. At most 2,450 mc, as tools/bound finds them: the
- * packed table, the tuned law. */
-void brake_step(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs);
+/* One measurement is three calls. brake_expect when it is under way: elapsed_cs is the time from the
+ * last trigger to this one, 4..31 hundredths of a second. brake_step when it is there, with its
+ * range_kind and, if that is RANGE_ECHO, its distance: only this one is between an echo and the duty. At
+ * most 280 mc and 1,730 mc, as tools/bound finds them: the packed table, the tuned law. */
+void brake_expect(uint8_t elapsed_cs);
+void brake_step(uint8_t kind, uint16_t dist_mm);
+
+/* brake_finish once its outcome is at the pins: the warning, the release of STOP, the other estimator.
+ * Bring the pins up to date again. At most 770 mc. */
+void brake_finish(void);
 
 /* Every 1/100 s. */
 void brake_tick(bool override_held);

@@ -13,6 +13,17 @@ static uint8_t since_cs;       /* since last_mm; 255: long */
 static uint16_t aside_mm;      /* not believed; 0: none */
 static uint8_t since_aside_cs;
 
+/* Where and how near to it the next reading of this target is expected, and its time's rate. */
+static uint16_t expected_mm;
+static uint16_t gate_mm;
+static uint16_t rate; /* out of RATES, of the time between the last two readings believed */
+
+/* Of the reading believed last: */
+static uint16_t moved_mm;      /* how far it lies from the one before, */
+static bool is_nearer;
+static uint16_t off_mm;        /* and from where alpha-beta saw the target */
+static bool is_further;
+
 /* 1 mm in n/100 s is 100 / n mm/s, that is 50 / n units. Times 65536 / 16 for n = 4..31. */
 #define RATE(n) ((3276800UL / 16U + (n) - 1U) / (n))
 static const uint16_t __code RATES[] = {
@@ -21,8 +32,8 @@ static const uint16_t __code RATES[] = {
     RATE(24), RATE(25), RATE(26), RATE(27), RATE(28), RATE(29), RATE(30), RATE(31),
 };
 
-/* So far at a rate out of RATES. Up to 4095 mm count. */
-static uint16_t speed_2mmps(uint16_t mm, uint16_t rate)
+/* So far at `rate`. Up to 4095 mm count. */
+static uint16_t speed_2mmps(uint16_t mm)
 {
     if (mm > 4095U) {
         mm = 4095U;
@@ -42,9 +53,9 @@ static int16_t travel_mm(int16_t speed_2mmps, uint8_t elapsed_cs)
     return -(int16_t)mul_hi_u16((uint16_t)-speed_2mmps, factor);
 }
 
-static bool is_within(int16_t off_mm, uint16_t limit_mm)
+static bool is_within(int16_t apart_mm, uint16_t limit_mm)
 {
-    return (off_mm >= 0 ? (uint16_t)off_mm : (uint16_t)-off_mm) <= limit_mm;
+    return (apart_mm >= 0 ? (uint16_t)apart_mm : (uint16_t)-apart_mm) <= limit_mm;
 }
 
 static void publish(struct closing_speed __data *speed, int16_t speed_2mmps)
@@ -73,29 +84,39 @@ void closing_restart(void)
     publish(&closing_smooth, 0);
 }
 
-void closing_skip(uint8_t elapsed_cs)
+void closing_expect(uint8_t elapsed_cs)
 {
     since_cs = since_cs + elapsed_cs < 255 ? (uint8_t)(since_cs + elapsed_cs) : 255;
     since_aside_cs = since_aside_cs + elapsed_cs < 255 ? (uint8_t)(since_aside_cs + elapsed_cs) : 255;
+    if (since_cs > CLOSING_ELAPSED_MAX_CS) {
+        closing_samples = 0; /* too long: whatever comes is another target */
+    }
+    if (closing_samples == 0) {
+        return;
+    }
+    rate = RATES[since_cs - CLOSING_ELAPSED_MIN_CS];
+    expected_mm = smooth_mm - (uint16_t)travel_mm(smooth_2mmps, since_cs);
+    gate_mm = CLOSING_GATE_MM;
+    if (closing_samples == 1) {
+        gate_mm = (uint16_t)(mul_u8(since_cs, CLOSING_REACH_MM_PER_CS / 2U) << 1);
+    }
 }
 
-bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
+bool closing_update(uint16_t dist_mm)
 {
-    uint16_t gate_mm = CLOSING_GATE_MM, off_mm, rate;
-    int16_t further_mm, difference_2mmps;
-
-    closing_skip(elapsed_cs);
-    if (closing_samples == 0 || since_cs > CLOSING_ELAPSED_MAX_CS) {
+    if (closing_samples == 0) {
         closing_restart();
         start(dist_mm);
         since_cs = 0;
         return true;
     }
 
-    further_mm = (int16_t)(dist_mm - smooth_mm) + travel_mm(smooth_2mmps, since_cs);
-    off_mm = further_mm >= 0 ? (uint16_t)further_mm : (uint16_t)-further_mm;
-    if (closing_samples == 1) {
-        gate_mm = (uint16_t)(mul_u8(since_cs, CLOSING_REACH_MM_PER_CS / 2U) << 1);
+    off_mm = dist_mm - expected_mm;
+    if ((int16_t)off_mm < 0) {
+        off_mm = expected_mm - dist_mm;
+        is_further = false;
+    } else {
+        is_further = true;
     }
     if (off_mm > gate_mm) {
         int16_t off_aside_mm = (int16_t)(dist_mm - aside_mm);
@@ -108,35 +129,49 @@ bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs)
         }
         start(aside_mm);
         since_cs = since_aside_cs;
+        rate = RATES[since_cs - CLOSING_ELAPSED_MIN_CS];
     }
     aside_mm = 0;
 
-    rate = RATES[since_cs - CLOSING_ELAPSED_MIN_CS];
-    if (dist_mm <= last_mm) {
-        difference_2mmps = (int16_t)speed_2mmps((uint16_t)(last_mm - dist_mm), rate);
-    } else {
-        difference_2mmps = -(int16_t)speed_2mmps((uint16_t)(dist_mm - last_mm), rate);
-    }
-    if (closing_samples == 1) {
-        smooth_mm = dist_mm;
-        smooth_2mmps = difference_2mmps;
-        closing_samples = 2;
-    } else {
-        uint16_t part_mm = off_mm >> 2, part_2mmps = speed_2mmps(off_mm, rate) >> 2;
-
-        if (further_mm >= 0) {
-            smooth_mm = dist_mm - part_mm;
-            smooth_2mmps -= (int16_t)part_2mmps;
-        } else {
-            smooth_mm = dist_mm + part_mm;
-            smooth_2mmps += (int16_t)part_2mmps;
-        }
-        closing_samples = 3;
+    moved_mm = last_mm - dist_mm;
+    is_nearer = true;
+    if (dist_mm > last_mm) {
+        moved_mm = dist_mm - last_mm;
+        is_nearer = false;
     }
     last_mm = dist_mm;
     closing_span_cs = since_cs;
     since_cs = 0;
-    publish(&closing_difference, difference_2mmps);
-    publish(&closing_smooth, smooth_2mmps);
+    if (closing_samples == 1) { /* nothing to smooth yet */
+        closing_samples = 2;
+        closing_take_difference();
+        smooth_mm = dist_mm;
+        smooth_2mmps = closing_difference.closing_mmps != 0 ? (int16_t)(closing_difference.closing_mmps >> 1)
+                                                            : -(int16_t)(closing_difference.opening_mmps >> 1);
+        publish(&closing_smooth, smooth_2mmps);
+    } else {
+        closing_samples = 3;
+    }
     return true;
+}
+
+void closing_take_difference(void)
+{
+    uint16_t difference_2mmps = speed_2mmps(moved_mm);
+
+    publish(&closing_difference, is_nearer ? (int16_t)difference_2mmps : -(int16_t)difference_2mmps);
+}
+
+void closing_take_smooth(void)
+{
+    uint16_t part_mm = off_mm >> 2, part_2mmps = speed_2mmps(off_mm) >> 2;
+
+    if (is_further) {
+        smooth_mm = last_mm - part_mm;
+        smooth_2mmps -= (int16_t)part_2mmps;
+    } else {
+        smooth_mm = last_mm + part_mm;
+        smooth_2mmps += (int16_t)part_2mmps;
+    }
+    publish(&closing_smooth, smooth_2mmps);
 }

@@ -37,11 +37,18 @@ extern uint8_t closing_samples;
 /* Forgets the target; speeds are 0 until two readings came. */
 void closing_restart(void);
 
-/* A reading of 0..RANGE_MAX_MM, elapsed_cs (1/100 s, not 0) after the last call or restart. False: it
- * is set aside and the speeds stay as they are. Up to 920 mc. */
-bool closing_update(uint16_t dist_mm, uint8_t elapsed_cs);
+/* A reading is on its way, elapsed_cs (1/100 s, CLOSING_ELAPSED_MIN_CS or more) after the last call or
+ * restart. Once for each, whether it comes or not. Up to 260 mc. */
+void closing_expect(uint8_t elapsed_cs);
 
-/* Time passed without a reading. */
-void closing_skip(uint8_t elapsed_cs);
+/* The reading came, 0..RANGE_MAX_MM. False: it is set aside and the speeds stay as they are. True, and
+ * closing_samples is 3: the speeds are still those of the reading before, and each estimator is owed
+ * its call below. Up to 470 mc. */
+bool closing_update(uint16_t dist_mm);
+
+/* Takes that reading into one estimator: once each, before the next closing_expect; the brake asks one
+ * of them before it acts and the other one after it. Up to 220 mc each. */
+void closing_take_difference(void);
+void closing_take_smooth(void);
 
 #endif

@@ -1,5 +1,5 @@
-/* Times the brake's control step as it ships, from the end of an echo to the duty set, with telemetry
- * off: apps/brake.c but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps,
+/* Times the brake's control step as it ships, from the end of an echo to the duty set: apps/brake.c but
+ * for its main. A drive of chance, with targets of up to 35 m/s either way, jumps,
  * clear roads, missing, stuck and stray echoes, the dead zone, longer pauses and the override; what
  * never came of states and faults are the misses. */
 #include <8052.h>
@@ -25,7 +25,7 @@ const uint16_t __code bench_steps = 4000;
 #define TICKS_PER_MM_Q6 ((uint16_t)(CLK_HZ / 12U * 128U / SOUND_MMPS))
 
 static __idata uint16_t noise = 1, n, place_mm;
-static __idata uint8_t faults_seen, states_seen;
+static __idata uint8_t faults_seen, states_seen, elapsed_cs;
 static __idata int16_t step_mm; /* nearer, each reading */
 static __idata uint16_t echo_ticks;
 
@@ -109,9 +109,12 @@ uint16_t bench_step(uint16_t step)
     drive();
     echo = next_echo();
     pass_time();
+    brake_expect(elapsed_cs);
     BENCH_START();
     control_step(echo);
     taken = BENCH_STOP();
+    brake_finish();
+    apply();
     faults_seen |= 1U << brake.fault;
     states_seen |= 1U << brake.state;
     return taken;

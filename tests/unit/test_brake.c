@@ -5,6 +5,7 @@
 #include "closing.h"
 #include "lut.h"
 #include "range.h"
+#include "step.h"
 #include "warned.h"
 
 #define PERIOD_CS 6U
@@ -38,7 +39,7 @@ static void measure(uint8_t kind, uint16_t dist_mm)
 {
     wait_cs(PERIOD_CS);
     before_pct = brake.brake_pct;
-    brake_step(kind, dist_mm, PERIOD_CS);
+    step(kind, dist_mm, PERIOD_CS);
 }
 
 static void echo(uint16_t dist_mm)
@@ -95,11 +96,11 @@ static void test_each_distance_gets_its_row_and_from_the_second_reading_on_the_c
         uint8_t pct = mm <= 1000 ? 100 : mm <= 5000 ? lut_at(row, 0) : 0;
 
         brake_init(BRAKE_FAULT_NONE);
-        brake_step(RANGE_ECHO, mm, PERIOD_CS);
+        step(RANGE_ECHO, mm, PERIOD_CS);
         if (brake.state != state || brake.brake_pct != first_pct || brake.stop != (mm <= 1000)) {
             TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "first reading: wrong at this distance in mm");
         }
-        brake_step(RANGE_ECHO, mm, PERIOD_CS);
+        step(RANGE_ECHO, mm, PERIOD_CS);
         if (brake.state != state || brake.brake_pct != pct || brake.stop != (mm <= 1000) ||
             (mm <= 5000 && brake.row != row)) {
             TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "wrong state, duty or row at this distance in mm");
@@ -154,8 +155,8 @@ static void test_each_speed_gets_its_column(void)
         uint8_t col = exact_mmps >= 35000U ? 99 : (uint8_t)(exact_mmps / 350U);
 
         brake_init(BRAKE_FAULT_NONE);
-        brake_step(RANGE_ECHO, 5500, PERIOD_CS);
-        brake_step(RANGE_ECHO, (uint16_t)(5500U - step_mm), PERIOD_CS);
+        step(RANGE_ECHO, 5500, PERIOD_CS);
+        step(RANGE_ECHO, (uint16_t)(5500U - step_mm), PERIOD_CS);
         if (step_mm < 500) {
             continue; /* beyond the table: no look-up */
         }
@@ -303,10 +304,10 @@ static void test_override_held_a_second_lets_go_and_no_sooner(void)
     stop_at_900();
     held = true;
     wait_cs(BRAKE_OVERRIDE_CS - 7U);
-    brake_step(RANGE_ECHO, 901, PERIOD_CS); /* keeps the silence short */
+    step(RANGE_ECHO, 901, PERIOD_CS); /* keeps the silence short */
     wait_cs(6);
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
-    brake_step(RANGE_ECHO, 902, PERIOD_CS);
+    step(RANGE_ECHO, 902, PERIOD_CS);
     wait_cs(1);
     TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
     TEST_ASSERT_FALSE(brake.stop);

@@ -5,6 +5,7 @@
 #include "brake.h"
 #include "law_first.c"
 #include "range.h"
+#include "step.h"
 
 void setUp(void)
 {
@@ -19,7 +20,7 @@ static void test_full_brake_at_first_sight(void)
 
     for (mm = 1001; mm <= 6000; mm++) {
         brake_init(BRAKE_FAULT_NONE);
-        brake_step(RANGE_ECHO, mm, 6);
+        step(RANGE_ECHO, mm, 6);
         TEST_ASSERT_EQUAL_UINT8_MESSAGE(mm <= 5000 ? 100 : 0, brake.brake_pct,
                                         "at the first reading");
     }
@@ -30,17 +31,17 @@ static void test_full_brake_while_anything_is_there(void)
     uint16_t mm;
 
     for (mm = 2000; mm <= 5000; mm += 100) { /* it opens at 1.7 m/s */
-        brake_step(RANGE_ECHO, mm, 6);
+        step(RANGE_ECHO, mm, 6);
         TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
         TEST_ASSERT_FALSE(brake.stop);
     }
-    brake_step(RANGE_ECHO, 5200, 6);
+    step(RANGE_ECHO, 5200, 6);
     TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
 }
 
 static void test_stop_line_at_one_metre(void)
 {
-    brake_step(RANGE_ECHO, 1000, 6);
+    step(RANGE_ECHO, 1000, 6);
     TEST_ASSERT_TRUE(brake.stop);
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
 }

@@ -5,6 +5,7 @@
 #include "unity.h"
 #include "brake.c"
 #include "law_none.c"
+#include "step.h"
 
 void setUp(void)
 {
@@ -25,7 +26,7 @@ static void test_no_distance_brakes(void)
 
     for (mm = 20; mm <= 6000; mm += 20) {
         TEST_ASSERT_FALSE(brake_must_stop(mm));
-        brake_step(RANGE_ECHO, mm, 6);
+        step(RANGE_ECHO, mm, 6);
         check();
     }
 }
@@ -35,7 +36,7 @@ static void test_no_approach_brakes(void)
     uint16_t mm;
 
     for (mm = 6000; mm > 100; mm -= 60) {
-        brake_step(RANGE_ECHO, mm, 6);
+        step(RANGE_ECHO, mm, 6);
         check();
     }
 }
@@ -46,11 +47,11 @@ static void test_no_fault_brakes(void)
 
     for (kind = RANGE_NO_TARGET; kind <= RANGE_DEAD_ZONE; kind++) {
         brake_init(BRAKE_FAULT_NONE);
-        brake_step(RANGE_ECHO, 1500, 6);
+        step(RANGE_ECHO, 1500, 6);
         for (i = 0; i < 20; i++) {
             brake_tick(false);
             check();
-            brake_step(kind, 0, 6);
+            step(kind, 0, 6);
             check();
         }
     }

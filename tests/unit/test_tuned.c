@@ -6,7 +6,9 @@
 #undef LUT_DATA
 #include "cell.c"
 #include "law_tuned.c"
+#include "brake.c" /* with the estimator of this law */
 #include "range.h"
+#include "step.h"
 #include "warned.h"
 
 static void look(uint8_t kind, uint16_t dist_mm)
@@ -16,7 +18,7 @@ static void look(uint8_t kind, uint16_t dist_mm)
     for (i = 0; i < 6; i++) {
         brake_tick(false);
     }
-    brake_step(kind, dist_mm, 6);
+    step(kind, dist_mm, 6);
 }
 
 void setUp(void)
@@ -74,8 +76,8 @@ static void test_otherwise_the_first_reading_does_not_brake(void)
     TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
 
     brake_init(BRAKE_FAULT_NONE);
-    brake_step(RANGE_NO_TARGET, 0, 6);
-    brake_step(RANGE_ECHO, 4600, 7); /* late */
+    step(RANGE_NO_TARGET, 0, 6);
+    step(RANGE_ECHO, 4600, 7); /* late */
     TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
 }
 

@@ -4,6 +4,7 @@
 
 #include "brake.h"
 #include "range.h"
+#include "step.h"
 
 #define WARNED_HARD_PCT 63U /* 5 m/s2 of a brake of 8: hard, as UN R152 calls it */
 #define WARNED_READINGS 14U /* 0.84 s: 0.8, and the lamp's tick and a longer echo */
@@ -17,12 +18,12 @@ static bool is_warned_in_time(uint16_t first_mm, uint16_t step_mm)
     uint8_t reading = 0, warned_at = 0, i;
 
     brake_init(BRAKE_FAULT_NONE);
-    brake_step(RANGE_NO_TARGET, 0, 6);
+    step(RANGE_NO_TARGET, 0, 6);
     for (mm = first_mm; mm > step_mm; mm = (uint16_t)(mm - step_mm)) {
         for (i = 0; i < 6; i++) {
             brake_tick(false);
         }
-        brake_step(RANGE_ECHO, mm, 6);
+        step(RANGE_ECHO, mm, 6);
         reading++;
         if (brake.warn && warned_at == 0) {
             warned_at = reading;

@@ -6,7 +6,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-enum { WORDS = 64, NAMES = 16, OPT_CYCLES = 256, OPT_ROUND, OPT_IRAM };
+enum { WORDS = 64, NAMES = 64, OPT_CYCLES = 256, OPT_ROUND, OPT_IRAM };
 
 const char *argp_program_version = "fuzzy51 1.0";
 

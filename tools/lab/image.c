@@ -23,7 +23,8 @@ int image_load(struct image *image, const char *path)
     if (object == NULL)
         return diag_error(path, 0, "cannot load this controller: %s; run make", dlerror());
     if (!find(object, "brake", &image->brake) || !find(object, "brake_init", &image->init) ||
-        !find(object, "brake_step", &image->step) || !find(object, "brake_tick", &image->tick) ||
+        !find(object, "brake_expect", &image->expect) || !find(object, "brake_step", &image->step) ||
+        !find(object, "brake_finish", &image->finish) || !find(object, "brake_tick", &image->tick) ||
         !find(object, "brake_must_stop", &image->must_stop) ||
         !find(object, "range_mm", &image->range_mm) ||
         !find(object, "range_kind", &image->range_kind) ||

@@ -11,7 +11,9 @@ struct image {
     const char *path;
     struct brake_output *brake;
     void (*init)(uint8_t fault);
-    void (*step)(uint8_t kind, uint16_t dist_mm, uint8_t elapsed_cs);
+    void (*expect)(uint8_t elapsed_cs);
+    void (*step)(uint8_t kind, uint16_t dist_mm);
+    void (*finish)(void);
     void (*tick)(bool override_held);
     bool (*must_stop)(uint16_t dist_mm);
     uint16_t (*range_mm)(uint16_t ticks);

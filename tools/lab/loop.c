@@ -13,7 +13,8 @@ enum {
     JOB_NS = 950000,       /* from the tick to the trigger's rising edge */
     TRIGGER_NS = 16000,    /* width of the trigger */
     STOP_NS = 250000,      /* echo's end to the stop line */
-    DUTY_NS = 1900000,     /* echo's end to the new duty handed to the PWM */
+    DUTY_NS = 1300000,     /* echo's end to the new duty handed to the PWM */
+    CLEAR_NS = 350000,     /* the same where there was no target: no estimator, no table */
     HAND_OVER_NS = 256000, /* least time to a period in which that takes it */
     TRIGGER_TICKS = 6,
 };
@@ -72,9 +73,11 @@ static void apply(struct loop *loop, int64_t t_ns)
 static void control_step(struct loop *loop, int64_t t_ns, uint8_t kind, uint16_t dist_mm)
 {
     loop->is_measuring = false;
-    loop->image->step(kind, dist_mm, TRIGGER_TICKS);
+    loop->image->expect(TRIGGER_TICKS);
+    loop->image->step(kind, dist_mm);
+    loop->image->finish();
     loop->stop_ns = t_ns + STOP_NS;
-    loop->duty_ns = t_ns + DUTY_NS;
+    loop->duty_ns = t_ns + (kind == RANGE_ECHO ? DUTY_NS : CLEAR_NS);
 }
 
 static void echo_changed(struct loop *loop, int64_t t_ns, bool level)
