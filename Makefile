@@ -41,8 +41,8 @@ help:
 	@echo "make demo            a car stops behind another one, with the real firmware in the simulator"
 	@echo "make report          every controller on every scenario, as build/report/index.html; knobs: BOARD, JOBS,"
 	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
-	@echo "make test            all tests; ends with 'N passed, N failed'"
-	@echo "make test-long       ten minutes at the stop line on each board, and all drives with the smooth estimator"
+	@echo "make test            the tests; ends with 'N passed, N failed'"
+	@echo "make test-long       the other controllers' drives, ten minutes at the stop line, all with the smooth estimator"
 	@echo "make flash BOARD=NAME PORT=DEVICE   writes APP=$(strip $(APP)) to a chip"
 	@echo "make bench           cycles, bytes and stack of each app; the estimators in the loop; fistab beside fuzzylite;"
 	@echo "                     drive beside free s51"
@@ -376,16 +376,16 @@ build/lut/$(1)/host: tests/lut/host.c firmware/core/lut.c build/lut/$(1)/lut_tab
 endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 
-# The sister controllers' scenarios run on the default board only.
-SISTER_LOOPS := $(wildcard $(addprefix tests/loop/,radar gap follow park))
-TEST_SUITES := $(TOOL_TESTS) $(wildcard tests/tools/test_*.sh) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
+LONG_TESTS := tests/tools/test_frame_seeds.sh
+TEST_SUITES := $(TOOL_TESTS) $(filter-out $(LONG_TESTS),$(wildcard tests/tools/test_*.sh)) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
     $(wildcard tests/chip/test_*.sh) $(patsubst %,'tests/run_loop.sh %',$(or $(BOARD),$(BOARDS))) \
-    $(foreach law,$(LAWS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),stc89c516rd) tests/loop/$(law)') \
-    $(patsubst %,'tests/run_loop.sh stc89c516rd %',$(if $(filter-out stc89c516rd,$(BOARD)),,$(SISTER_LOOPS)))
+    $(foreach law,$(LAWS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),stc89c516rd) tests/loop/$(law)')
 
-# What takes longer than one likes to wait: ten simulated minutes on each board, and every drive of the
-# brake with the other estimator.
-LONG_SUITES := $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) \
+# What takes longer than one likes to wait: the sister controllers' drives, on the default board only; ten
+# simulated minutes on each board; every drive of the brake with the other estimator.
+SISTER_LOOPS := $(wildcard $(addprefix tests/loop/,radar gap follow park))
+LONG_SUITES := $(LONG_TESTS) $(patsubst %,'tests/run_loop.sh stc89c516rd %',$(if $(filter-out stc89c516rd,$(BOARD)),,$(SISTER_LOOPS))) \
+    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) \
     'IMAGE=build/smooth/brake.ihx tests/run_loop.sh stc89c516rd'
 
 .PHONY: run-test run-test-long

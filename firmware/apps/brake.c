@@ -63,7 +63,6 @@ static void report(void)
     union telemetry_value __idata *value = telemetry_values;
     uint16_t speed_mmps = BRAKE_SPEED.closing_mmps;
 
-    seq++;
     if (!is_talking) {
         return;
     }
@@ -110,6 +109,7 @@ static void control_step(uint8_t echo)
     }
     brake_step(kind, dist_mm);
     apply();
+    seq++; /* counted as soon as the duty is set: where benches look */
 }
 
 /* A measurement is over: the brake first, all else after it. */

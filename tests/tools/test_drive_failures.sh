@@ -183,9 +183,9 @@ say "the canary is content with 0.6.4" $? "$(cat "$work/stdout")"
 
 # --- violence ---
 long="--set scenario.duration_s=60"
-simulator_of() { # the pid of the s51 that the drive of pid $1 has started
+simulator_of() { # the pid of the s51 that the drive of pid $1 runs; the one that it asks for its version has no -g
     for _ in $(seq 50); do
-        pgrep -P "$1" -x s51 && return
+        pgrep -P "$1" -f '^s51 .*-g' && return
         sleep 0.1
     done
 }
