@@ -23,7 +23,7 @@ enum range_kind {
 };
 
 /* The distance for a way there and back of 0..65535 ticks (machine cycles, 12 / CLK_HZ): in mm, at
- * most 1 mm off the exact quotient, never falling when ticks rise. About 90 mc. */
+ * most 1 mm off the exact quotient, never falling when ticks rise. At most 98 mc. */
 uint16_t range_mm(uint16_t ticks);
 
 /* What a finished echo of this distance says: RANGE_ECHO, _NO_TARGET or _DEAD_ZONE. */

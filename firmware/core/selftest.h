@@ -6,7 +6,7 @@
 
 enum selftest { SELFTEST_RUNNING, SELFTEST_PASSED, SELFTEST_FAILED };
 
-/* One more slice of the table's check sum, at most 750 mc; enum selftest. */
+/* One more slice of the table's check sum, at most 840 mc; enum selftest. */
 uint8_t selftest_table(void);
 
 #endif

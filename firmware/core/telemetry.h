@@ -25,7 +25,7 @@ bool telemetry_is_busy(void);
  *         "%o%m" prints seconds and milliseconds as milliseconds */
 void telemetry_say(const char __code *format);
 
-/* The next character; 0: the line is out. At most 250 mc. */
+/* The next character; 0: the line is out. At most 1,540 mc, as tools/bound finds them. */
 char telemetry_next(void);
 
 #endif
