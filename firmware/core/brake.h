@@ -14,10 +14,9 @@
 #include "closing.h"
 
 /* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth; the other one can
- * wait until the brake has acted. The release of
- * STOP and the warning always ask the smooth one. And how many cells further or slower the target
- * must seem before the brake follows: for at most one step of more than 2 points a second at 2 cm of
- * noise. */
+ * wait until the brake has acted. The release of STOP and the warning always ask the smooth one. And
+ * how many cells further or slower the target must seem before the brake follows: for at most one step
+ * of more than 2 points a second at 2 cm of noise. */
 #if defined(ESTIMATOR_smooth)
 #define BRAKE_SPEED      closing_smooth
 #define BRAKE_TAKE_FIRST closing_take_smooth

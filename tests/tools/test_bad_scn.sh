@@ -4,16 +4,7 @@
 set -u
 out=build/tests/bad_scn
 mkdir -p "$out"
-failed=0
-
-say() { # NAME STATUS [why]
-    if [ "$2" = 0 ]; then
-        echo "tests/tools/test_bad_scn.sh:0:$1:PASS"
-    else
-        echo "tests/tools/test_bad_scn.sh:0:$1:FAIL: $3"
-        failed=1
-    fi
-}
+. tests/tools/say.sh
 
 for file in tests/bad/*.scn; do
     expected=$(sed -n '1s/^; expect: //p' "$file")

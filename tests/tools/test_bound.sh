@@ -2,20 +2,10 @@
 # build/bound as the build calls it: every image of the default board has its bounds, and what cannot be
 # bounded or does not fit ends with status 1 and a reason.
 set -u
-place=tests/tools/test_bound.sh
 out=build/tests/bound
 board=build/stc89c516rd
 mkdir -p "$out"
-failed=0
-
-say() { # NAME STATUS [why]
-    if [ "$2" = 0 ]; then
-        echo "$place:0:$1:PASS"
-    else
-        echo "$place:0:$1:FAIL: $3"
-        failed=1
-    fi
-}
+. tests/tools/say.sh
 
 refuses() { # NAME STATUS PATTERN ARGUMENT...
     local name=$1 expected=$2 pattern=$3 status

@@ -3,19 +3,9 @@
 # traces are equal to the byte for every quantum, and outcomes within the tolerances below for half the
 # step. All with the real firmware.
 set -u
-place=tests/tools/test_determinism.sh
 out=build/tests/determinism
 mkdir -p "$out"
-failed=0
-
-say() { # NAME STATUS [why]
-    if [ "$2" = 0 ]; then
-        echo "$place:0:$1:PASS"
-    else
-        echo "$place:0:$1:FAIL: $3"
-        failed=1
-    fi
-}
+. tests/tools/say.sh
 
 run() { # BOARD SCENARIO NAME [option...]
     board=$1 scenario=$2 name=$3

@@ -2,12 +2,11 @@
 # Whatever goes wrong with the simulator, the image, the options or the outputs, drive says so in one
 # line, ends with the right status in bounded time, and leaves no process and no file behind.
 set -u
-place=tests/tools/test_drive_failures.sh
 work=$PWD/build/tests/drive_failures
 rm -rf "$work"
 mkdir -p "$work/tmp" "$work/out" "$work/images" "$work/fake"
 export TMPDIR=$work/tmp
-failed=0
+. tests/tools/say.sh
 drive=$PWD/build/drive
 limit="$(command -v timeout) 60"
 real_path=$PATH
@@ -24,15 +23,6 @@ END
 for kind in PLAIN SILENT HANG POWER_DOWN HURRY ECHO_BYTES; do
     sdcc -mmcs51 --std-c11 --Werror "-D$kind" tests/tools/images/odd.c -o "$work/images/$kind.ihx" || exit 1
 done
-
-say() { # NAME STATUS [why]
-    if [ "$2" = 0 ]; then
-        echo "$place:0:$1:PASS"
-    else
-        echo "$place:0:$1:FAIL: $3"
-        failed=1
-    fi
-}
 
 run() { # IMAGE [option...]: a run of that image that also writes a trace
     image=$1

@@ -2,20 +2,10 @@
 # --live: a picture in a terminal, whose cursor comes back also after an interrupt; plain lines
 # elsewhere; and the same numbers as without it. A car that parks has a yard in place of a road.
 set -u
-place=tests/tools/test_live.sh
 out=build/tests/live
 mkdir -p "$out"
-failed=0
+. tests/tools/say.sh
 run="build/drive run --hex build/stc89c516rd/brake.ihx --board stc89c516rd --scenario tests/loop/standing_car_3mps.scn"
-
-say() { # NAME STATUS [why]
-    if [ "$2" = 0 ]; then
-        echo "$place:0:$1:PASS"
-    else
-        echo "$place:0:$1:FAIL: $3"
-        failed=1
-    fi
-}
 
 $run --csv "$out/without.csv" >/dev/null
 $run --live --csv "$out/plain.csv" >"$out/plain"
