@@ -3,7 +3,7 @@
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits
 # non-zero if any failed. A suite that fails without saying which case, or says nothing, counts as one
-# failure. The last line is "N passed, N failed".
+# failure. Who reads only the end sees what failed: those lines come once more, then "N passed, N failed".
 set -u
 
 run_suite() {
@@ -33,5 +33,6 @@ parallel --will-cite --keep-order --line-buffer run_suite ::: "$@" | tee "$all"
     echo "run.sh: error: not every suite reported" >&2
     exit 1
 }
+grep -aE '^[^ ].*:[0-9]+:.*:FAIL' "$all"
 awk '/^ *[0-9]+ passed +[0-9]+ failed  / { passed += $1; failed += $3 }
     END { printf "%d passed, %d failed\n", passed, failed; exit failed > 0 }' "$all"
