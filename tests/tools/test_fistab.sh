@@ -43,10 +43,10 @@ expect eval_shows_the_rules_that_fire 0 $'86.28104575\n% 1 tables/brake.fis:55: 
 expect eval_shows_or_and_not 0 "% 0.0198 tests/golden/asym.fis:53: if first is not middle and second is not slow then left is down, right is not on" "" bash -c "$fistab eval --rules tests/golden/asym.fis -1 30 | tail -1"
 expect eval_warns_outside_the_range 0 83.71717172 "distance_m = 0.5 is outside its range of 1 to 5" $fistab eval tables/brake.fis 0.5 10
 expect eval_warns_where_no_rule_fires 0 50 "no rule fires for 'brake_pct'; the answer is the middle of its range" $fistab eval tables/brake.fis 9 10
-expect eval_counts_numbers 1 "" "the system has 2 inputs, but 1 numbers are given" $fistab eval tables/brake.fis 3
+expect eval_counts_numbers 1 "" "brake.fis: error: give 2 numbers, not 1; the system has so many inputs" $fistab eval tables/brake.fis 3
 expect eval_refuses_words 1 "" "'ten' is not a number" $fistab eval tables/brake.fis 3 ten
 expect eval_refuses_infinity 1 "" "'inf' is not a number" $fistab eval tables/brake.fis 3 inf
-expect eval_names_the_line_of_stdin 1 86.28104575 "stdin:2: error: 1 numbers, but the system has 2 inputs" bash -c "printf '3 10\n3\n' | $fistab eval tables/brake.fis"
+expect eval_names_the_line_of_stdin 1 86.28104575 "stdin:2: error: give 2 numbers, not 1; the system has so many inputs" bash -c "printf '3 10\n3\n' | $fistab eval tables/brake.fis"
 expect eval_names_long_lines_of_stdin 1 "" "stdin:1: error: more than 2 numbers" bash -c "echo 3 10 4 | $fistab eval tables/brake.fis"
 expect eval_of_a_missing_file 1 "" "no_such.fis: error: cannot read: No such file" $fistab eval no_such.fis 1
 expect eval_of_a_folder 1 "" "tables: error: cannot read: Is a directory" $fistab eval tables 1

@@ -140,7 +140,7 @@ static int eval_arguments(const struct session *s, const struct arguments *a)
     double x[FIS_VARIABLES_MAX];
 
     if (a->numbers != inputs)
-        return diag_error(a->file, 0, "the system has %zu inputs, but %zu numbers are given",
+        return diag_error(a->file, 0, "give %zu numbers, not %zu; the system has so many inputs",
                           inputs, a->numbers);
     for (size_t i = 0; i < a->numbers; i++)
         if (!read_number(a->point[i], &x[i]))
@@ -170,8 +170,8 @@ static int eval_line(const struct session *s, char *text, int line)
     if (numbers == 0)
         return EXIT_FINE;
     if (numbers != inputs)
-        return diag_error("stdin", line, "%zu numbers, but the system has %zu inputs", numbers,
-                          inputs);
+        return diag_error("stdin", line, "give %zu numbers, not %zu; the system has so many inputs",
+                          inputs, numbers);
     eval_point(s, x, "stdin", line);
     return EXIT_FINE;
 }

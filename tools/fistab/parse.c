@@ -132,6 +132,16 @@ static int find_key(struct parser *p, const char *const *keys)
     return -1;
 }
 
+static int no_system_key(struct parser *p, const char *const *keys)
+{
+    char known[256] = "";
+
+    for (; *keys != NULL; keys++)
+        snprintf(known + strlen(known), sizeof known - strlen(known), " %s", *keys);
+    return FAIL(p, "[System] has no key '%s' in MATLAB's format; its keys are:%s", p->scan.word,
+                known);
+}
+
 static int parse_system(struct parser *p)
 {
     static const char *const keys[] = {"Name",       "Type",      "Version",      "NumInputs",
@@ -183,8 +193,7 @@ static int parse_system(struct parser *p)
         fis->defuzz_method = (enum fis_defuzz)method;
         return status;
     default:
-        return FAIL(p, "[System] has no key '%s' in MATLAB's format; remove the line",
-                    p->scan.word);
+        return no_system_key(p, keys);
     }
 }
 
@@ -201,7 +210,10 @@ static int parse_range(struct parser *p)
         return EXIT_INPUT;
     if (!scan_char(&p->scan, ']'))
         return FAIL(p, "a range is written Range=[0 10]");
-    if (!isfinite(variable->min) || !isfinite(variable->max) || !(variable->min < variable->max))
+    if (!isfinite(variable->min) || !isfinite(variable->max))
+        return FAIL(p, "Range=[%g %g] has no end; write two finite numbers", variable->min,
+                    variable->max);
+    if (!(variable->min < variable->max))
         return FAIL(p, "Range=[%g %g] is empty; write the smaller end first", variable->min,
                     variable->max);
     return EXIT_FINE;
@@ -300,7 +312,10 @@ static int parse_foreign_key(struct parser *p)
             return EXIT_FINE;
         return FAIL(p, "%s is fuzzylite's, not MATLAB's; only %s=%s can be read", key, key, value);
     }
-    return FAIL(p, "a variable has no key '%s' in MATLAB's format; remove the line", p->scan.word);
+    return FAIL(p,
+                "a variable has no key '%s' in MATLAB's format; its keys are: Name Range NumMFs "
+                "MF1 MF2 and so on",
+                p->scan.word);
 }
 
 static int parse_variable(struct parser *p)
@@ -431,11 +446,19 @@ static int open_variable(struct parser *p, struct variable **list, size_t *count
     return EXIT_FINE;
 }
 
+/* "Input", with a number or without: "Inputs" and "Input-1" are no such section. */
+static bool is_variable(const char *word, const char *kind)
+{
+    size_t length = strlen(kind);
+
+    return strncmp(word, kind, length) == 0 &&
+           word[length + strspn(word + length, "0123456789")] == '\0';
+}
+
 static int parse_section(struct parser *p)
 {
     struct fis *fis = p->fis;
     const char *word = p->scan.word;
-    char *end;
     int status = EXIT_FINE;
 
     if (!scan_word(&p->scan) || !scan_char(&p->scan, ']'))
@@ -447,14 +470,12 @@ static int parse_section(struct parser *p)
             return FAIL(p, "[%s] stands twice; the first is on line %d", word, *line);
         *line = p->scan.line;
         p->section = word[0] == 'S' ? SECTION_SYSTEM : SECTION_RULES;
-    } else if (strncmp(word, "Input", 5) == 0) {
-        long number = strtol(word + 5, &end, 10);
+    } else if (is_variable(word, "Input")) {
         status = open_variable(p, &fis->input, &fis->inputs, p->declared->input_sets,
-                               *end == '\0' ? number : 0);
-    } else if (strncmp(word, "Output", 6) == 0) {
-        long number = strtol(word + 6, &end, 10);
+                               strtol(word + strlen("Input"), NULL, 10));
+    } else if (is_variable(word, "Output")) {
         status = open_variable(p, &fis->output, &fis->outputs, p->declared->output_sets,
-                               *end == '\0' ? number : 0);
+                               strtol(word + strlen("Output"), NULL, 10));
     } else {
         return FAIL(p,
                     "there is no section [%s]; there are [System], [Input1], [Output1] and [Rules]",
