@@ -8,7 +8,7 @@
 enum exit_status {
     EXIT_FINE = 0,
     EXIT_INPUT = 1, /* bad input, or an outcome that does not hold; nothing was written */
-    EXIT_USAGE = 2, /* bad usage; in drive also: the simulator failed */
+    EXIT_USAGE = 2, /* bad usage; in drive also: no image to run, or the simulator failed */
 };
 
 /* Prints "FILE:LINE: error: WHAT" (LINE 0: without the line; FILE NULL: the program's name in its

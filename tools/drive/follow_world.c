@@ -8,6 +8,7 @@
 #include "servo.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* The frames of firmware/core/frame.h and follow.h: lengths in mm, speeds in mm/s. */
@@ -281,6 +282,24 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     value[METRIC_WARNINGS] = world->warnings;
 }
 
+static void tell(const struct outcome *outcome, const struct scenario *scenario)
+{
+    const double *value = outcome->values;
+
+    printf("%s: ", scenario->title);
+    if (isfinite(value[METRIC_CHANGES_LANE_AT]))
+        printf("changes lanes at %.2f s, ", value[METRIC_CHANGES_LANE_AT]);
+    if (value[METRIC_IMPACT] > 0)
+        printf("hits the robot ahead at %.2f m/s\n", value[METRIC_IMPACT_MPS]);
+    else if (value[METRIC_FINAL_SPEED] > 0)
+        printf("drives at %.2f m/s in the end, %.2f m behind the robot ahead\n",
+               value[METRIC_FINAL_SPEED], value[METRIC_FINAL_GAP]);
+    else
+        printf("stands in the end, %.2f m behind the robot ahead\n", value[METRIC_FINAL_GAP]);
+    printf("  least gap %.2f m, most brake %.0f %%\n", value[METRIC_MIN_GAP],
+           value[METRIC_MAX_BRAKE]);
+}
+
 const struct world_class follow_world = {
     BASE_TRACE(columns, reported),
     .create = create,
@@ -292,5 +311,6 @@ const struct world_class follow_world = {
     .state_reported = state_reported,
     .is_over = is_over,
     .values = values,
+    .tell = tell,
     .measure = measure,
 };

@@ -150,8 +150,8 @@ static const struct argp parser = {
     .doc = "Runs a controller's real image in the simulator s51, in a closed loop with a modelled "
            "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
            "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
-           "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, or the "
-           "simulator failed.",
+           "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, no image "
+           "to run, or the simulator failed.",
 };
 
 /* --- what came of it ----------------------------------------------------------------------- */

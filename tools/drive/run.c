@@ -356,6 +356,8 @@ static int run_once(struct loop *loop, bool *late)
     else if (status == S51_RAN)
         take_uart(loop);
     loop->class->measure(loop->world, run->duration_ns, &run->outcome);
+    for (int metric = 0; metric < METRIC_COUNT; metric++)
+        run->outcome.values[metric] += 0.0; /* no -0 */
     if (status == S51_RESET)
         status = watch_reset(loop);
     run->outcome.uart = run->telemetry.log;

@@ -122,18 +122,17 @@ enum { KEY_COUNT = sizeof keys / sizeof keys[0] };
 static const char *const numbered[] = {"fault", "frame"};
 enum { NUMBERED_COUNT = sizeof numbered / sizeof numbered[0] };
 
-/* Controllers by name, and the sections that each of them has beside [scenario] and [expect];
- * [ego] and [park] must be there. */
+/* Controllers by name, the sections that each of them has beside [scenario] and [expect], and those
+ * of them that must be there. */
 static const struct {
-    const char *name, *sections;
+    const char *name, *sections, *needed;
 } worlds[WORLD_KINDS] = {
-    {"brake", "ego lead sensor fault override uart"},
-    {"radar", "ego lead road front head frame"},
-    {"gap", "ego lead head frame"},
-    {"follow", "ego lead lane head frame"},
-    {"park", "park head frame"},
+    {"brake", "ego lead sensor fault override uart", "ego"},
+    {"radar", "ego lead road front head frame", "ego"},
+    {"gap", "ego lead head frame", "ego"},
+    {"follow", "ego lead lane head frame", "ego lead"},
+    {"park", "park head frame", "park"},
 };
-static const char *const needed = "scenario ego park";
 
 struct reader {
     struct scenario *scenario;
@@ -301,7 +300,7 @@ static int set_expectation(struct reader *reader, const char *name, const char *
 
     if (length > 0 && strchr("<>", name[length - 1]) != NULL)
         wanted.op = name[--length];
-    while (length > 0 && name[length - 1] == ' ')
+    while (length > 0 && isspace((unsigned char)name[length - 1]))
         length--;
     snprintf(bare, sizeof bare, "%.*s", (int)length, name);
     wanted.metric = expect_find(bare);
@@ -442,9 +441,9 @@ static const char *section_name(const struct key *key, int number)
 
 static bool is_used(const struct reader *reader, const char *section, int number)
 {
-    if (choice_index(needed, section) >= 0)
-        return strcmp(section, "scenario") == 0 ||
-               choice_index(worlds[reader->scenario->world].sections, section) >= 0;
+    if (strcmp(section, "scenario") == 0 ||
+        choice_index(worlds[reader->scenario->world].needed, section) >= 0)
+        return true;
     for (int i = 0; i < KEY_COUNT; i++)
         if (strcmp(keys[i].section, section) == 0 && reader->given[number][i] != 0)
             return true;
