@@ -63,10 +63,10 @@ function dimension(fromX, toX, y, text) {
         svgText((from + toX) / 2, y - 6, text, 'fill="#fff" font-size="13" text-anchor="middle"');
 }
 
-/* How many metres the picture is wide: as described, or, with "fit", as the widest gap needs. */
+/* How many metres the picture is wide: as described, or, with "fit", as the widest gap and the own car need. */
 function metresOf(view, runs) {
     if (!view.fit) return view.metres;
-    return Math.max(view.metres, 1.3 * Math.max(...runs.flatMap((run) => (run.trace.gap_m ?? []).filter((gap) => gap != null)), 0));
+    return Math.max(view.metres, 1.4 * Math.max(...runs.flatMap((run) => (run.trace.gap_m ?? []).filter((gap) => gap != null)), 0));
 }
 
 /* The own car, or an arrow where it is too far behind to be in the picture. */
