@@ -21,6 +21,9 @@ SHELL     := /bin/bash
 Q := $(if $(V),,@)
 export UNITY_DIR
 
+ifeq ($(wildcard $(TABLE)),)
+$(error no file '$(TABLE)'; TABLE names the brake's fuzzy system, a .fis)
+endif
 ifeq ($(filter $(ESTIMATOR),difference smooth),)
 $(error no estimator '$(ESTIMATOR)'; use difference or smooth)
 endif
@@ -237,6 +240,11 @@ $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(f
 
 # The flasher that suits the chip, its wiring and, when it is missing, where to get it.
 HEX = $(OUT)/$(APP).hex
+ifneq ($(filter flash,$(MAKECMDGOALS)),)
+ifeq ($(filter $(APP),$(APPS)),)
+$(error board $(BOARD) has no app '$(APP)'; its apps are: $(APPS))
+endif
+endif
 .PHONY: flash
 flash: $(OUT)/$(APP).hex
 	@[ -n "$(FLASH)" ] || { echo "make flash: error: $(BOARD) has no flasher of its own; write $(HEX) with your chip's tool" >&2; exit 1; }

@@ -1,11 +1,7 @@
 /* Cells of the table. */
 #include "cell.h"
 #include "fixed.h"
-#include "lut_table.h"
 
-#if LUT_INPUTS != 2
-#error the brake needs a table of two inputs: distance in m, closing speed in m/s
-#endif
 #if !defined(LUT_IN1_MUL) || !defined(LUT_IN2_MUL)
 #error an axis of the table is too long: at most 65.535 m or m/s from end to end
 #endif

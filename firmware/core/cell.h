@@ -5,6 +5,11 @@
 #include <stdint.h>
 #include "cc51.h"
 #include "closing.h"
+#include "lut_table.h"
+
+#if LUT_INPUTS != 2
+#error the brake needs a table of two inputs: distance in m, closing speed in m/s
+#endif
 
 /* Row of a distance, column of a speed: the first and the last one reach on beyond the table's
  * ends. */

@@ -88,4 +88,9 @@ status=$?
 wrong=
 [ $status = 2 ] && grep -q 'error: say what to do' "$work/log" || wrong="status $status: $(cat "$work/log")"
 case_is $LINENO a_bad_command_is_refused "$wrong"
+build/lab run build/lab-images/brake.so --scenario tests/loop/radar/case_100.scn >"$work/log" 2>&1
+status=$?
+wrong=
+[ $status = 1 ] && grep -q "case_100.scn: error: app = radar; the laboratory has the brake's world alone" "$work/log" || wrong="status $status: $(cat "$work/log")"
+case_is $LINENO another_apps_scenario_is_refused "$wrong"
 exit $failed

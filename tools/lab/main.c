@@ -103,6 +103,10 @@ static int command_run(const struct image *image, const struct arguments *argume
     if (scenario_read(&scenario, arguments->scenario, (char *const *)arguments->settings,
                       arguments->setting_count) != EXIT_FINE)
         return EXIT_INPUT;
+    if (scenario.world != WORLD_BRAKE)
+        return diag_error(arguments->scenario, 0,
+                          "app = %s; the laboratory has the brake's world alone, so use drive",
+                          scenario.app);
     loop_run(image, &scenario,
              arguments->seed >= 0 ? (uint64_t)arguments->seed : (uint64_t)scenario.seed, 1000,
              &outcome);
