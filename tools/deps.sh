@@ -68,13 +68,18 @@ fetch_unity() {
     work=$PWD/build/deps/apt
     rm -rf "$work"
     mkdir -p "$work/sources" "$work/lists/partial" "$work/download"
-    for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
-        [ -f "$list" ] && sed -n 's/^deb\( \|\t\)/deb-src\1/p' "$list" >"$work/sources/$(basename "$list" .list).list"
+    # The main list stays the first that apt reads: what a later one says of the same source may add to
+    # it, and would contradict it the other way about.
+    to_source='s/^deb\( \|\t\)/deb-src\1/p'
+    : >"$work/sources.list"
+    [ ! -f /etc/apt/sources.list ] || sed -n "$to_source" /etc/apt/sources.list >"$work/sources.list"
+    for list in /etc/apt/sources.list.d/*.list; do
+        [ ! -f "$list" ] || sed -n "$to_source" "$list" >"$work/sources/$(basename "$list")"
     done
     for list in /etc/apt/sources.list.d/*.sources; do
         [ -f "$list" ] && sed 's/^Types:.*/Types: deb-src/' "$list" >"$work/sources/$(basename "$list")"
     done
-    set -- -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$work/sources" \
+    set -- -o Dir::Etc::sourcelist="$work/sources.list" -o Dir::Etc::sourceparts="$work/sources" \
         -o Dir::State::lists="$work/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= \
         -o APT::Sandbox::User=root
     # A list without sources (a third party's) is no reason to stop: the next step decides.
