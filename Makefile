@@ -101,12 +101,14 @@ build/sanitized/%.o: %.c | build/boards.h
 # What drive must know of a board, taken from the fragment that builds its firmware; the pins in
 # the order of enum board_pin.
 DRIVE_PINS := PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE
-build/boards.h: Makefile $(wildcard firmware/boards/*.mk)
+build/boards.h: Makefile firmware/boards $(wildcard firmware/boards/*.mk)
 	@mkdir -p $(@D)
 	$(Q)for board in $(filter %.mk,$^); do \
-	    awk -v name="$$(basename $$board .mk)" -v pins="$(DRIVE_PINS)" '$$2 == ":=" { value[$$1] = $$3 } END { \
-	        printf "BOARD(%s, %s, \"%s\"", name, value["CLK_HZ"], value["S51_TYPE"]; count = split(pins, pin, " "); \
-	        for (i = 1; i <= count; i++) printf ", %s", value["PIN_" pin[i]]; print ")" }' $$board; \
+	    awk -v name="$$(basename $$board .mk)" -v pins="$(DRIVE_PINS)" '$$2 == ":=" { value[$$1] = $$3 } \
+	        function of(key) { if (key in value) return value[key]; \
+	            print FILENAME ": error: a board states " key " := ..., as the others do" >"/dev/stderr"; exit 1 } \
+	        END { printf "BOARD(%s, %s, \"%s\"", name, of("CLK_HZ"), of("S51_TYPE"); count = split(pins, pin, " "); \
+	        for (i = 1; i <= count; i++) printf ", %s", of("PIN_" pin[i]); print ")" }' $$board; \
 	done >$@.part; mv $@.part $@
 
 # --- controllers ------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
-/* The seam between a controller and the machine that it runs on. The 8051 (hal_8051.c and its
- * neighbours) and the tests' fake are equal implementations; a controller cannot tell which it has.
- * All calls return at once; costs are machine cycles with call and return, SDCC's small model. */
+/* The seam between a controller and the machine that it runs on: start.c, pwm.c, echo.c and uart.c
+ * are the 8051's side of it. All calls return at once; costs are machine cycles with call and return,
+ * SDCC's small model. */
 #ifndef FUZZY51_HAL_H
 #define FUZZY51_HAL_H
 

@@ -14,9 +14,9 @@ refuses() { # NAME, TEXT, ARGUMENT OF make...: fails, and TEXT is in the first l
     [ $? -ne 0 ] && grep -m 1 -e '\*\*\*' -e 'error' "$out/stderr" | grep -qF -- "$text"
     say "$name" $? "not '$text' but: $(head -n 3 "$out/stderr")"
 }
-refuses "a board that is not there" "no board 'nosuch'; the boards are: at89s52 generic8052 stc89c516rd" BOARD=nosuch
 refuses "an estimator that is not there" "no estimator 'nosuch'; use difference or smooth" ESTIMATOR=nosuch
 refuses "a table that is not there" "no file 'nosuch.fis'; TABLE names the brake's fuzzy system" TABLE=nosuch.fis
+refuses "a board that lacks a pin" "firmware/boards/at89s52.mk: error: a board states PIN_NOSUCH := ..., as the others do" -W Makefile DRIVE_PINS=NOSUCH build/boards.h
 refuses "an app that is not there" "board at89s52 has no app 'nosuch'; its apps are: brake tuned" flash BOARD=at89s52 PORT=/dev/x APP=nosuch
 
 law=(BOARD=generic8052 OUT="$out" "$out/brake/core/law_fuzzy.rel" "$out/brake/core/cell.rel")
