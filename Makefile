@@ -41,9 +41,10 @@ all: tools firmware
 help:
 	@echo "make                 tools and firmware of all boards, with the memory each takes"
 	@echo "make BOARD=NAME      one board: $(BOARDS)"
+	@echo "make TABLE=FILE.fis  the brake with a table of your own; ESTIMATOR=smooth with the other closing speed"
 	@echo "make demo            a car stops behind another one, with the real firmware in the simulator"
 	@echo "make report          every controller on every scenario, as build/report/index.html; knobs: BOARD, JOBS,"
-	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', SSHLOGIN=host1,host2,: (GNU parallel)"
+	@echo "                     MAP=coarse|normal|fine, ONLY='GLOB...', IMAGES='APP...', SSHLOGIN=host1,host2,: (GNU parallel)"
 	@echo "make test            the tests; ends with 'N passed, N failed'"
 	@echo "make test-long       the other controllers' drives, ten minutes at the stop line, all with the smooth estimator"
 	@echo "make flash BOARD=NAME PORT=DEVICE   writes APP=$(strip $(APP)) to a chip"

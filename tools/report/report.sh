@@ -51,6 +51,18 @@ short_hash() {
 }
 
 # --- what is to be run --------------------------------------------------------------------------------
+case $MAP in
+coarse | normal | fine) ;;
+*) fail "MAP=$MAP: use coarse, normal or fine" ;;
+esac
+case $JOBS in
+'') ;;
+*[!0-9]* | 0*) fail "JOBS=$JOBS: give a whole number, 1 or more" ;;
+esac
+images=$(for tab in $here/tabs/*.tab; do tab_values "$tab" image | cut -d'|' -f1; done | xargs)
+for image in $IMAGES; do
+    [[ " $images " == *" $image "* ]] || fail "no image '$image'; the images are: $images"
+done
 [ -x "$DRIVE" ] || fail "no $DRIVE; run make"
 rm -f "$REPORT_OUT"/scenarios/*.scn
 $here/scenarios.sh --map="$MAP" "$REPORT_OUT/scenarios"
