@@ -69,7 +69,8 @@ int outfile_open(struct outfile *out, const char *path)
     if (out->stream == NULL) {
         int reason = errno;
         outfile_abandon(out);
-        return diag_error(path, 0, "cannot write: %s; does the folder exist?", strerror(reason));
+        return diag_error(path, 0, "cannot write: %s%s", strerror(reason),
+                          reason == ENOENT ? "; make its folder first" : "");
     }
     return EXIT_FINE;
 }

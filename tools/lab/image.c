@@ -3,6 +3,7 @@
 #include "diag.h"
 
 #include <dlfcn.h>
+#include <stdio.h>
 #include <string.h>
 
 /* A function's address arrives as a data pointer, which ISO C does not convert. */
@@ -16,9 +17,13 @@ static bool find(void *object, const char *name, void *target)
 
 int image_load(struct image *image, const char *path)
 {
-    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    char file[4096];
+    void *object;
     void (*load)(void);
 
+    /* A name without a slash is a file here, not a library of the system. */
+    snprintf(file, sizeof file, "%s%s", strchr(path, '/') == NULL ? "./" : "", path);
+    object = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     image->path = path;
     if (object == NULL)
         return diag_error(path, 0, "cannot load this controller: %s; run make", dlerror());
