@@ -74,7 +74,7 @@ expect name_no_identifier 2 "" "--name=3d: give a C identifier" $fistab table --
 expect encoding_unknown 2 "" "--encoding=zip" $fistab table --encoding=zip tables/brake.fis
 expect law_unreadable 2 "" "--monotone=up" $fistab check --monotone=up tables/brake.fis
 expect law_of_other_inputs 2 "" "names input 3, but the system has 2 inputs" $fistab check --monotone=-1,+3 tables/brake.fis
-expect two_files 2 "" "Usage: fistab check" $fistab check tables/brake.fis tables/brake.fis
+expect two_files 2 "" "one FILE.fis at a time; 'tables/gap.fis' is one too many" $fistab check tables/brake.fis tables/gap.fis
 
 # --- check
 expect brake_breaks_the_law 1 "" "(monotone) 'brake_pct' breaks -1,+2 between 650 pairs of neighbours; worst, it is 77 at distance_m = 4.98" $fistab check --monotone=-1,+2 tables/brake.fis

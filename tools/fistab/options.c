@@ -116,7 +116,7 @@ error_t option_file(int key, char *argument, const char **file, struct argp_stat
     switch (key) {
     case ARGP_KEY_ARG:
         if (*file != NULL)
-            argp_usage(state);
+            argp_error(state, "one FILE.fis at a time; '%s' is one too many", argument);
         *file = argument;
         return 0;
     case ARGP_KEY_NO_ARGS:
