@@ -136,7 +136,7 @@ $(foreach law,classic first none,$(eval $(law)_TABLE := $(TABLE))$(eval $(law)_M
 
 radar_TABLE := tables/radar.fis
 radar_GRID  := --grid=13x13 --samples=7 --levels=240 --half-down
-radar_MODULES := $(FRAME_MODULES) apps/radar $(addprefix core/,radar fmcw lane safe)
+radar_MODULES := $(FRAME_MODULES) apps/radar $(addprefix core/,radar fmcw lane safe mul_u16)
 
 # The same with the mean of maxima, for comparison: it misses the second published case.
 radar_mom_TABLE   := build/radar_mom.fis
@@ -161,7 +161,7 @@ park_late_MODULES := $(park_MODULES)
 gap_TABLE   := tables/gap.fis
 gap_GRID    := --nodes --grid=33x33 --levels=200
 gap_FLAGS   := -DSERVO
-gap_MODULES := $(FRAME_MODULES) apps/gap core/gap mcu/servo
+gap_MODULES := $(FRAME_MODULES) apps/gap core/gap core/mul_u16 mcu/servo
 
 follow_TABLE := tables/follow.fis
 follow_GRID  := --grid=5x3x3 --levels=4

@@ -91,23 +91,20 @@ static void report(void)
 /* From the end of the echo, or of the wait for it, to the pins. */
 static void control_step(uint8_t echo)
 {
-    uint8_t kind = RANGE_NOT_RISEN;
-
     is_measuring = false;
-    dist_mm = 0;
     if (echo == HAL_ECHO_DONE) {
         dist_mm = range_mm(hal_echo_ticks());
-        kind = range_kind(dist_mm);
-        if (kind != RANGE_ECHO) {
-            dist_mm = 0;
-        } else if (brake_must_stop(dist_mm)) {
-            hal_stop_set(true); /* before estimator and table, whatever they say */
-            hal_brake_set(100);
-        }
-    } else if (echo == HAL_ECHO_NOT_FALLEN) {
-        kind = RANGE_NOT_FALLEN;
+        echo = range_kind(dist_mm);
+    } else {
+        echo = echo == HAL_ECHO_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
     }
-    brake_step(kind, dist_mm);
+    if (echo != RANGE_ECHO) {
+        dist_mm = 0;
+    } else if (brake_must_stop(dist_mm) && !brake.stop) {
+        hal_stop_set(true); /* before estimator and table, whatever they say */
+        hal_brake_set(100);
+    }
+    brake_step(echo, dist_mm);
     apply();
     seq++; /* counted as soon as the duty is set: where benches look */
 }
@@ -119,6 +116,14 @@ static void conclude(uint8_t echo)
     brake_finish();
     apply();
     report();
+}
+
+/* No echo waits for more than one of the loop's two halves. */
+static void poll(void)
+{
+    if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
+        conclude(HAL_ECHO_DONE);
+    }
 }
 
 static void measure(void)
@@ -281,11 +286,11 @@ void main(void)
         /* Every round, less than a millisecond. */
         if (is_testing) {
             test();
-        } else if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
-            conclude(HAL_ECHO_DONE);
         }
+        poll();
         talk();
         listen();
+        poll();
         if (hal_ticks() == tick) {
             continue;
         }

@@ -16,7 +16,9 @@ static uint8_t override_cs;
 static __bit is_latched;        /* STOP */
 static __bit is_sure;           /* of it: a second reading or a tracked approach said the same */
 static uint16_t raw_mm;         /* the last echo, believed or not */
+static __bit is_tracked;        /* and its third reading or a later one of this target */
 static __bit is_stuck;
+static __bit is_moving;         /* the target cannot have come to rest: the same reading again is a stuck one */
 static __bit is_unfinished;     /* brake_finish is due */
 static __bit is_prompt;         /* this measurement, LAW_ENTER_CS or less after the one before */
 
@@ -30,19 +32,23 @@ static __idata uint8_t calm_readings;
 /* What the pins do, from what was decided. */
 static void settle(void)
 {
-    bool is_overridden = override_cs >= BRAKE_OVERRIDE_CS;
-
-    if (is_overridden) {
-        is_latched = false;
+    brake.stop = false;
+    brake.brake_pct = demand_pct;
+    brake.state = BRAKE_RELEASED;
+    if (has_target) {
+        brake.state = BRAKE_CONTROL;
     }
-    brake.stop = is_latched;
-    brake.brake_pct = is_latched ? 100 : is_overridden ? 0 : demand_pct;
+    if (brake.overridden) {
+        is_latched = false;
+        brake.brake_pct = 0;
+        brake.state = BRAKE_RELEASED;
+    } else if (is_latched) {
+        brake.stop = true;
+        brake.brake_pct = 100;
+        brake.state = BRAKE_STOP;
+    }
     if (is_fault) {
         brake.state = BRAKE_FAULT;
-    } else if (is_latched) {
-        brake.state = BRAKE_STOP;
-    } else {
-        brake.state = has_target && !is_overridden ? BRAKE_CONTROL : BRAKE_RELEASED;
     }
 }
 
@@ -50,6 +56,7 @@ static void settle(void)
 static void enter_fault(void)
 {
     is_fault = true;
+    is_moving = false;
     good_readings = 0;
     closing_restart();
 #if FAULT_PCT > 0
@@ -70,10 +77,12 @@ void brake_init(uint8_t fault)
     is_fault = false;
     silence_cs = 0;
     override_cs = 0;
+    brake.overridden = false;
     is_latched = false;
     lost_readings = 0;
     raw_mm = 0;
     is_stuck = false;
+    is_moving = false;
     is_unfinished = false;
     brake.warn = false;
     brake.row = 0;
@@ -94,31 +103,62 @@ void brake_fail(uint8_t fault)
     }
 }
 
-bool brake_must_stop(uint16_t dist_mm)
-{
-    return dist_mm <= BRAKE_STOP_MM && override_cs < BRAKE_OVERRIDE_CS;
-}
+#ifndef __SDCC_mcs51
+extern inline bool brake_must_stop(uint16_t dist_mm);
+#endif
 
 /* STOP comes with the first reading and stays, unless that reading stood alone: a glitch. */
-static void latch(uint16_t dist_mm, bool is_tracked)
+static void hold_stop(void)
 {
-    if (dist_mm <= BRAKE_STOP_MM) {
-        is_sure = is_latched || is_tracked;
-        is_latched = true;
-        doubts = 0;
-        opening_readings = 0;
-    } else if (is_latched && !is_sure) {
-        if (dist_mm <= BRAKE_RELEASE_MM) {
-            is_sure = true;
-        } else if (is_tracked || ++doubts == 2) {
-            is_latched = false;
-        }
+    is_sure = is_latched || is_tracked;
+    is_latched = true;
+    doubts = 0;
+    opening_readings = 0;
+}
+
+static void doubt_stop(void)
+{
+    if (raw_mm <= BRAKE_RELEASE_MM) {
+        is_sure = true;
+    } else if (is_tracked || ++doubts == 2) {
+        is_latched = false;
     }
 }
 
-static void unlatch(uint16_t dist_mm)
+/* What an echo is worth: BRAKE_FAULT_NONE, or why it is not believed. */
+static inline uint8_t judge_echo(uint16_t dist_mm)
 {
-    if (dist_mm > BRAKE_RELEASE_MM && closing_smooth.opening_mmps > BRAKE_RELEASE_MMPS &&
+    uint8_t trouble;
+
+    is_tracked = false;
+    if (dist_mm != raw_mm) {
+        is_stuck = false;
+        raw_mm = dist_mm;
+    } else if (is_moving) {
+        is_stuck = true; /* as long as the reading stays */
+    }
+    if (is_stuck) {
+        trouble = BRAKE_FAULT_STUCK;
+    } else if (!closing_update(raw_mm)) {
+        trouble = BRAKE_FAULT_JUMP;
+    } else {
+        if (closing_samples == 3) {
+            is_tracked = true;
+            BRAKE_TAKE_FIRST();
+        }
+        trouble = BRAKE_FAULT_NONE;
+    }
+    if (raw_mm <= BRAKE_STOP_MM) {
+        hold_stop();
+    } else if (is_latched && !is_sure) {
+        doubt_stop();
+    }
+    return trouble;
+}
+
+static void unlatch(void)
+{
+    if (raw_mm > BRAKE_RELEASE_MM && closing_smooth.opening_mmps > BRAKE_RELEASE_MMPS &&
         closing_samples == 3) {
         if (++opening_readings == 2) {
             is_latched = false;
@@ -128,28 +168,14 @@ static void unlatch(uint16_t dist_mm)
     }
 }
 
-/* The same reading again, after a speed that cannot have ended meanwhile; and as long as it stays. A
- * speed's magnitudes are added: one of them is 0. */
-static void note_repeats(uint16_t dist_mm)
-{
-    if (dist_mm != raw_mm) {
-        is_stuck = false;
-        raw_mm = dist_mm;
-    } else if ((uint16_t)(closing_smooth.closing_mmps + closing_smooth.opening_mmps) >= BRAKE_STUCK_MMPS &&
-               (uint16_t)(closing_difference.closing_mmps + closing_difference.opening_mmps) >=
-                   mul_u8(closing_span_cs, BRAKE_STUCK_MMPS_PER_CS)) {
-        is_stuck = true;
-    }
-}
-
 /* How many "no target" it takes to believe that this target is gone. Fewer readings of it change
  * nothing: after a silence they may be those of a target that was there before. */
-static void note_target(uint16_t dist_mm)
+static void note_target(void)
 {
     if (!has_target) {
         lost_readings = 0;
     } else if (closing_samples == 3) {
-        lost_readings = dist_mm > BRAKE_NEAR_MM ? 1 : BRAKE_LOST_READINGS;
+        lost_readings = raw_mm > BRAKE_NEAR_MM ? 1 : BRAKE_LOST_READINGS;
     } else if (closing_samples == 2 && lost_readings == 0) {
         lost_readings = 1;
     }
@@ -176,23 +202,6 @@ static void warn(uint16_t dist_mm)
     }
 }
 
-/* What an echo is worth: BRAKE_FAULT_NONE, or why it is not believed. */
-static uint8_t judge_echo(uint16_t dist_mm)
-{
-    uint8_t trouble = BRAKE_FAULT_NONE;
-
-    note_repeats(dist_mm);
-    if (is_stuck) {
-        trouble = BRAKE_FAULT_STUCK;
-    } else if (!closing_update(dist_mm)) {
-        trouble = BRAKE_FAULT_JUMP;
-    } else if (closing_samples == 3) {
-        BRAKE_TAKE_FIRST();
-    }
-    latch(dist_mm, trouble == BRAKE_FAULT_NONE && closing_samples == 3);
-    return trouble;
-}
-
 static uint8_t judge_no_echo(uint8_t kind)
 {
     is_stuck = false;
@@ -216,24 +225,31 @@ static uint8_t judge_no_echo(uint8_t kind)
     return BRAKE_FAULT_NONE;
 }
 
+/* A speed's magnitudes are added: one of them is 0. */
+static bool may_not_rest(void)
+{
+    return (uint16_t)(closing_smooth.closing_mmps + closing_smooth.opening_mmps) >= BRAKE_STUCK_MMPS &&
+           (uint16_t)(closing_difference.closing_mmps + closing_difference.opening_mmps) >=
+               mul_u8(closing_span_cs, BRAKE_STUCK_MMPS_PER_CS);
+}
+
 void brake_expect(uint8_t elapsed_cs)
 {
     is_prompt = elapsed_cs <= LAW_ENTER_CS;
+    is_moving = may_not_rest();
     closing_expect(elapsed_cs);
 }
 
 void brake_step(uint8_t kind, uint16_t dist_mm)
 {
-    __bit is_echo = kind == RANGE_ECHO;
+    __bit is_echo = kind == RANGE_ECHO, had_target = has_target, was_clear = is_clear;
     uint8_t trouble = is_echo ? judge_echo(dist_mm) : judge_no_echo(kind);
-    __bit is_lasting = brake.fault >= BRAKE_FAULT_TABLE;
-    __bit had_target = has_target, was_clear = is_clear;
-    uint8_t target = LAW_TRACKED, wanted_pct = 0;
+    uint8_t target, wanted_pct;
 
     is_clear = false;
     if (trouble != BRAKE_FAULT_NONE) {
         good_readings = 0;
-        if (!is_lasting) {
+        if (brake.fault < BRAKE_FAULT_TABLE) {
             brake.fault = trouble;
         }
         settle();
@@ -241,22 +257,25 @@ void brake_step(uint8_t kind, uint16_t dist_mm)
     }
 
     silence_cs = 0;
-    is_clear = !is_echo;
-    has_target = is_echo && dist_mm <= (had_target ? LAW_FAR_MM + BRAKE_SLACK_FAR_MM : LAW_FAR_MM);
     is_unfinished = true;
-    if (is_echo) {
-        note_target(dist_mm);
-    }
-    if (has_target && !is_lasting) { /* then the table, or what holds it, cannot be trusted */
+    has_target = false;
+    wanted_pct = 0;
+    if (!is_echo) {
+        is_clear = true;
+    } else if (raw_mm <= LAW_FAR_MM || (had_target && raw_mm <= LAW_FAR_MM + BRAKE_SLACK_FAR_MM)) {
+        has_target = true;
+        target = LAW_TRACKED;
         if (!had_target) {
             target = LAW_NEW;
             if (closing_samples == 1) {
                 target = was_clear && is_prompt ? LAW_ENTERED : LAW_GLIMPSE;
             }
         }
-        wanted_pct = law_step(dist_mm, target);
+        if (brake.fault < BRAKE_FAULT_TABLE) { /* else the table, or what holds it, cannot be trusted */
+            wanted_pct = law_step(target, raw_mm);
+        }
     }
-    if (is_lasting || (is_fault && ++good_readings < BRAKE_GOOD_READINGS)) {
+    if (is_fault && (brake.fault >= BRAKE_FAULT_TABLE || ++good_readings < BRAKE_GOOD_READINGS)) {
         if (demand_pct < wanted_pct) {
             demand_pct = wanted_pct;
         }
@@ -278,7 +297,8 @@ void brake_finish(void)
         if (closing_samples == 3) {
             BRAKE_TAKE_LATER();
         }
-        unlatch(raw_mm);
+        unlatch();
+        note_target();
     }
     if (brake.fault < BRAKE_FAULT_TABLE) {
         warn(raw_mm != 0 ? raw_mm : 65535U);
@@ -290,8 +310,9 @@ void brake_tick(bool override_held)
 {
     if (!override_held) {
         override_cs = 0;
-    } else if (override_cs < BRAKE_OVERRIDE_CS) {
-        override_cs++;
+        brake.overridden = false;
+    } else if (!brake.overridden && ++override_cs == BRAKE_OVERRIDE_CS) {
+        brake.overridden = true;
     }
     if (silence_cs < BRAKE_SILENCE_CS) {
         silence_cs++;

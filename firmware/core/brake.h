@@ -98,6 +98,7 @@ struct brake_output {
     uint8_t state;     /* enum brake_state */
     uint8_t fault;     /* enum brake_fault: why FAULT, or what is wrong with the last reading */
     uint8_t row, col;  /* of the last look-up */
+    bool overridden;   /* the driver has the brake */
 };
 extern struct brake_output brake;
 
@@ -108,18 +109,21 @@ void brake_init(uint8_t fault);
 void brake_fail(uint8_t fault);
 
 /* Must this reading (of kind RANGE_ECHO) stop the car? It needs neither estimator nor table, so ask
- * it first. At most 26 mc. */
-bool brake_must_stop(uint16_t dist_mm);
+ * it first. About 15 mc; inline. */
+inline bool brake_must_stop(uint16_t dist_mm)
+{
+    return dist_mm <= BRAKE_STOP_MM && !brake.overridden;
+}
 
 /* One measurement is three calls. brake_expect when it is under way: elapsed_cs is the time from the
- * last trigger to this one, 4..31 hundredths of a second. brake_step when it is there, with its
+ * last trigger to this one, 5..31 hundredths of a second. brake_step when it is there, with its
  * range_kind and, if that is RANGE_ECHO, its distance: only this one is between an echo and the duty. At
- * most 280 mc and 1,730 mc, as tools/bound finds them: the packed table, the tuned law. */
+ * most 510 mc and 1,010 mc, as tools/bound finds them: the packed table, the tuned law. */
 void brake_expect(uint8_t elapsed_cs);
 void brake_step(uint8_t kind, uint16_t dist_mm);
 
 /* brake_finish once its outcome is at the pins: the warning, the release of STOP, the other estimator.
- * Bring the pins up to date again. At most 770 mc. */
+ * Bring the pins up to date again. At most 590 mc. */
 void brake_finish(void);
 
 /* Every 1/100 s. */

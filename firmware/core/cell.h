@@ -14,6 +14,6 @@
 /* Row of a distance, column of a speed: the first and the last one reach on beyond the table's
  * ends. */
 uint8_t cell_row(uint16_t dist_mm);
-uint8_t cell_col(const struct closing_speed __data *speed);
+uint8_t cell_col(uint16_t closing_mmps, uint16_t opening_mmps);
 
 #endif

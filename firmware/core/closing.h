@@ -16,8 +16,8 @@
 /* Faster than 36 m/s nothing comes or goes: a second reading further off is no second reading. */
 #define CLOSING_REACH_MM_PER_CS 360U
 
-/* Readings are 4..CLOSING_ELAPSED_MAX_CS apart; after a longer silence a target starts anew. */
-#define CLOSING_ELAPSED_MIN_CS 4U
+/* Readings are 5..CLOSING_ELAPSED_MAX_CS apart; after a longer silence a target starts anew. */
+#define CLOSING_ELAPSED_MIN_CS 5U
 #define CLOSING_ELAPSED_MAX_CS 31U
 
 /* Speeds in mm/s, each as two magnitudes of which one is 0: up to 36 m/s do not fit 16 bits with a sign. */
@@ -38,16 +38,16 @@ extern uint8_t closing_samples;
 void closing_restart(void);
 
 /* A reading is on its way, elapsed_cs (1/100 s, CLOSING_ELAPSED_MIN_CS or more) after the last call or
- * restart. Once for each, whether it comes or not. Up to 260 mc. */
+ * restart. Once for each, whether it comes or not. Up to 440 mc. */
 void closing_expect(uint8_t elapsed_cs);
 
 /* The reading came, 0..RANGE_MAX_MM. False: it is set aside and the speeds stay as they are. True, and
  * closing_samples is 3: the speeds are still those of the reading before, and each estimator is owed
- * its call below. Up to 470 mc. */
+ * its call below. Up to 250 mc. */
 bool closing_update(uint16_t dist_mm);
 
 /* Takes that reading into one estimator: once each, before the next closing_expect; the brake asks one
- * of them before it acts and the other one after it. Up to 220 mc each. */
+ * of them before it acts and the other one after it. Up to 130 mc each. */
 void closing_take_difference(void);
 void closing_take_smooth(void);
 

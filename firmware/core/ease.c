@@ -11,44 +11,37 @@ void ease_restart(void)
     hold_pct = 0;
 }
 
-/* w, 0..256. */
-static uint16_t weight(uint16_t dist_mm, const struct closing_speed __data *speed)
+uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm)
 {
-    uint16_t w = 0, near_w;
+    uint8_t opening_mmps, w; /* w: n / 256, and 255 takes nothing of 100 percent either */
 
-    if (speed->opening_mmps < EASE_OPENING_MMPS) {
-        w = (uint16_t)(speed->closing_mmps + EASE_OPENING_MMPS - speed->opening_mmps) >> EASE_SHIFT;
+    if (closing_smooth.closing_mmps >= EASE_SPAN_MMPS - EASE_OPENING_MMPS) {
+        still_readings = 0;
+        return table_pct > hold_pct ? table_pct : hold_pct;
     }
-    if (dist_mm < EASE_NEAR_MM && speed->opening_mmps <= EASE_STILL_MMPS) {
-        near_w = (uint16_t)(EASE_NEAR_MM - dist_mm) >> 1;
-        w = w > near_w ? w : near_w;
-    }
-    return w;
-}
-
-/* The least brake of a car that seems to stand. */
-static void hold(uint8_t brake_pct, const struct closing_speed __data *speed)
-{
-    if (speed->opening_mmps >= EASE_OPENING_MMPS) {
+    if (closing_smooth.opening_mmps >= EASE_OPENING_MMPS) {
         ease_restart();
-    } else if (brake_pct == 0 || speed->closing_mmps > EASE_STILL_MMPS ||
-               speed->opening_mmps > EASE_STILL_MMPS) {
+        return 0;
+    }
+    opening_mmps = (uint8_t)closing_smooth.opening_mmps;
+    w = EASE_OPENING_MMPS - opening_mmps;
+    w = (uint8_t)((uint16_t)(closing_smooth.closing_mmps + w) >> EASE_SHIFT);
+    if (opening_mmps <= EASE_STILL_MMPS && dist_mm < EASE_NEAR_MM) {
+        dist_mm = EASE_NEAR_MM - dist_mm;
+        if (dist_mm >= 512U) {
+            w = 255;
+        } else if (w < (uint8_t)(dist_mm >> 1)) {
+            w = (uint8_t)(dist_mm >> 1);
+        }
+    }
+    table_pct = (uint8_t)((uint16_t)(mul_u8(w, table_pct) + 128U) >> 8);
+    /* The least brake of a car that seems to stand. */
+    if (table_pct == 0 || closing_smooth.closing_mmps > EASE_STILL_MMPS || opening_mmps > EASE_STILL_MMPS) {
         still_readings = 0;
     } else if (still_readings < EASE_STILL_READINGS) {
         still_readings++;
     } else if (hold_pct < EASE_HOLD_PCT) {
         hold_pct++;
     }
-}
-
-uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm, const struct closing_speed __data *speed)
-{
-    uint16_t w = weight(dist_mm, speed);
-    uint8_t brake_pct = table_pct;
-
-    if (w < 256U) {
-        brake_pct = (uint8_t)((uint16_t)(mul_u8((uint8_t)w, table_pct) + 128U) >> 8);
-    }
-    hold(brake_pct, speed);
-    return brake_pct > hold_pct ? brake_pct : hold_pct;
+    return table_pct > hold_pct ? table_pct : hold_pct;
 }

@@ -33,7 +33,7 @@
 /* A target that was not there before. */
 void ease_restart(void);
 
-/* What is left of table_pct (0..100) for a target at dist_mm with that speed. Once a reading. */
-uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm, const struct closing_speed __data *speed);
+/* What is left of table_pct (0..100) for a target at dist_mm with closing_smooth. Once a reading. */
+uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm);
 
 #endif

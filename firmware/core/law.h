@@ -32,7 +32,7 @@ enum law_target {
  * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked, and brakes from the
  * second reading of a target on: one alone may be a stray echo or something that only passes (but see
  * law_tuned.h). */
-uint8_t law_step(uint16_t dist_mm, uint8_t target);
+uint8_t law_step(uint8_t target, uint16_t dist_mm);
 
 /* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past. */
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed);

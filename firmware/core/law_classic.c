@@ -32,7 +32,7 @@ uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
     return dist_mm < law_classic_safe_mm(speed->closing_mmps) ? 100 : 0;
 }
 
-uint8_t law_step(uint16_t dist_mm, uint8_t target)
+uint8_t law_step(uint8_t target, uint16_t dist_mm)
 {
     uint16_t safe_mm = law_classic_safe_mm(BRAKE_SPEED.closing_mmps);
 

@@ -7,17 +7,22 @@
 
 /* Nearer and faster cells are taken at once; further and slower ones only from BRAKE_SLACK_x cells
  * on, so that a noisy sensor at a constant gap does not make the brake chatter. */
-uint8_t law_step(uint16_t dist_mm, uint8_t target)
+uint8_t law_step(uint8_t target, uint16_t dist_mm)
 {
-    uint8_t row = cell_row(dist_mm), col = cell_col(&BRAKE_SPEED);
-    bool is_new = target != LAW_TRACKED;
+    uint8_t row, col;
 
-    if (is_new || row <= brake.row) {
+    if (target != LAW_TRACKED) { /* nothing to be held at */
+        brake.row = LUT_IN1_CELLS - 1;
+        brake.col = 0;
+    }
+    row = cell_row(dist_mm);
+    if (row <= brake.row) {
         brake.row = row;
     } else if ((uint8_t)(row - brake.row) > BRAKE_SLACK_ROWS) {
         brake.row = (uint8_t)(row - BRAKE_SLACK_ROWS);
     }
-    if (is_new || col >= brake.col) {
+    col = cell_col(BRAKE_SPEED.closing_mmps, BRAKE_SPEED.opening_mmps);
+    if (col >= brake.col) {
         brake.col = col;
     } else if ((uint8_t)(brake.col - col) > BRAKE_SLACK_COLS) {
         brake.col = (uint8_t)(col + BRAKE_SLACK_COLS);
@@ -27,5 +32,5 @@ uint8_t law_step(uint16_t dist_mm, uint8_t target)
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
 {
-    return lut_at(cell_row(dist_mm), cell_col(speed));
+    return lut_at(cell_row(dist_mm), cell_col(speed->closing_mmps, speed->opening_mmps));
 }

@@ -2,7 +2,7 @@
  * FAULT_PCT of 0, so neither STOP nor FAULT brakes. */
 #include "law.h"
 
-uint8_t law_step(uint16_t dist_mm, uint8_t target)
+uint8_t law_step(uint8_t target, uint16_t dist_mm)
 {
     (void)dist_mm;
     (void)target;

@@ -45,17 +45,12 @@ uint8_t lut_at(uint8_t row, uint8_t col)
     block += (block_index)(strip * (uint8_t)LUT_BLOCKS);
 
     /* From here on `row` is the block's change bits up to the row: one a run that began. */
-    row &= 7;
-    row = bits_up_to[row];
+    row = bits_up_to[(uint8_t)(row & 7)];
     row &= CHANGES(block);
     run_low = RUNS(block);
     run_low += ones[(uint8_t)(row >> 4)];
-    row &= 15;
-    run_low += ones[row];
-
-    run = PAGES(strip);
-    run = (uint16_t)(run << 8);
-    run |= run_low;
+    run_low += ones[(uint8_t)(row & 15)];
+    run = (uint16_t)(PAGES(strip) << 8) | run_low;
     col += STARTS(run);
     return (uint8_t)(BASES(run) + SHAPES(col));
 }

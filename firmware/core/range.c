@@ -2,22 +2,29 @@
 #include "range.h"
 #include "fixed.h"
 
-/* mm for one tick, there and back halved, times 2^18: one product gives quarters of a millimetre. */
-#define MM_PER_TICK_2E18 ((SOUND_MMPS * 6ULL * 262144ULL + CLK_HZ / 2U) / CLK_HZ)
+#ifndef __SDCC_mcs51
+extern inline uint8_t range_kind(uint16_t dist_mm);
+#endif
 
-#if CLK_HZ * 65535 <= SOUND_MMPS * 6 * 262144
+/* mm for one tick, there and back halved, times 2^16. */
+#define MM_PER_TICK_2E16 ((SOUND_MMPS * 6ULL * 65536ULL + CLK_HZ / 2U) / CLK_HZ)
+
+#if CLK_HZ * 65535 <= SOUND_MMPS * 6 * 65536
 #error CLK_HZ too low for SOUND_MMPS: the factor of range_mm must fit 16 bits
 #endif
 
+/* mul_hi_u16 with a factor that the compiler knows, and rounded. */
 uint16_t range_mm(uint16_t ticks)
 {
-    return (uint16_t)((uint16_t)(mul_hi_u16(ticks, (uint16_t)MM_PER_TICK_2E18) + 2U) >> 2);
-}
+    uint16_t sum = mul_u8((uint8_t)ticks, (uint8_t)MM_PER_TICK_2E16), mm;
 
-uint8_t range_kind(uint16_t dist_mm)
-{
-    if (dist_mm < RANGE_MIN_MM) {
-        return RANGE_DEAD_ZONE;
-    }
-    return dist_mm > RANGE_MAX_MM ? RANGE_NO_TARGET : RANGE_ECHO;
+    sum >>= 8;
+    sum += 128U;
+    sum += mul_u8((uint8_t)(ticks >> 8), (uint8_t)MM_PER_TICK_2E16);
+    mm = (uint8_t)(sum >> 8);
+    sum = (uint8_t)sum;
+    sum += mul_u8((uint8_t)ticks, (uint8_t)(MM_PER_TICK_2E16 >> 8));
+    mm += (uint8_t)(sum >> 8);
+    mm += mul_u8((uint8_t)(ticks >> 8), (uint8_t)(MM_PER_TICK_2E16 >> 8));
+    return mm;
 }

@@ -23,10 +23,20 @@ enum range_kind {
 };
 
 /* The distance for a way there and back of 0..65535 ticks (machine cycles, 12 / CLK_HZ): in mm, at
- * most 1 mm off the exact quotient, never falling when ticks rise. At most 98 mc. */
+ * most 1 mm off the exact quotient, never falling when ticks rise. At most 75 mc. */
 uint16_t range_mm(uint16_t ticks);
 
 /* What a finished echo of this distance says: RANGE_ECHO, _NO_TARGET or _DEAD_ZONE. */
-uint8_t range_kind(uint16_t dist_mm);
+inline uint8_t range_kind(uint16_t dist_mm)
+{
+    uint8_t kind = RANGE_ECHO;
+
+    if (dist_mm > RANGE_MAX_MM) {
+        kind = RANGE_NO_TARGET;
+    } else if (dist_mm < RANGE_MIN_MM) {
+        kind = RANGE_DEAD_ZONE;
+    }
+    return kind;
+}
 
 #endif

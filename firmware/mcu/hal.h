@@ -25,7 +25,7 @@ bool hal_echo_is_high(void);    /* the sensor's line, for a test of its idle lev
 
 /* Actuators. The duty, 0..100 % (more is 100), holds from the first PWM period on that begins 0.3 ms or
  * more after the call. */
-void hal_brake_set(uint8_t brake_pct); /* up to 90 mc */
+void hal_brake_set(uint8_t brake_pct); /* up to 80 mc */
 void hal_stop_set(bool on);
 void hal_lamp_set(bool on);
 void hal_buzzer_set(bool on);

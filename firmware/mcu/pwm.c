@@ -81,19 +81,20 @@ void pwm_init(void)
 
 void hal_brake_set(uint8_t brake_pct)
 {
-    uint16_t first_mc = PERIOD_MC / 2U;
-
     new_is_set = 0;
     new_first_level = 1;
     new_second_level = 0;
-    if (brake_pct == 0) {
-        new_first_level = 0;
-    } else if (brake_pct >= 100) {
-        new_second_level = 1;
+    if (brake_pct != 0 && brake_pct < 100) {
+        new_first_reload =
+            PHASE_RELOAD(mul_u8(brake_pct, PERCENT_MC) + (mul_u8(brake_pct, PERCENT_MC_REST) >> 8));
     } else {
-        first_mc = mul_u8(brake_pct, PERCENT_MC) + (mul_u8(brake_pct, PERCENT_MC_REST) >> 8);
+        new_first_reload = PHASE_RELOAD(PERIOD_MC / 2U);
+        if (brake_pct == 0) {
+            new_first_level = 0;
+        } else {
+            new_second_level = 1;
+        }
     }
-    new_first_reload = PHASE_RELOAD(first_mc);
     new_is_set = 1;
     /* 256 cycles or more to the next edge, and no edge due meanwhile (a high byte of less than 128)
      * nor before this was asked: time for what follows, and for the other interrupts in it. */

@@ -3,7 +3,6 @@
  * clear roads, missing, stuck and stray echoes, the dead zone, longer pauses and the override; what
  * never came of states and faults are the misses. */
 #include <8052.h>
-#include "fixed.h"
 #include "step.h"
 #include "hal.h"
 
@@ -79,7 +78,7 @@ static uint8_t next_echo(void)
     if (what >= 250) {
         return what & 1 ? HAL_ECHO_NOT_RISEN : HAL_ECHO_NOT_FALLEN;
     }
-    echo_ticks = (uint16_t)(mul_u16(place_mm, TICKS_PER_MM_Q6) >> 6);
+    echo_ticks = (uint16_t)((uint32_t)place_mm * TICKS_PER_MM_Q6 >> 6);
     if (what >= 240) {
         echo_ticks = 38000U;
     }

@@ -48,13 +48,14 @@ for law in brake tuned classic first none; do
     case_is $LINENO "${law}_standing_3.0" "$(agrees $law tests/loop/standing_car_3mps.scn)"
     case_is $LINENO "${law}_standing_6.4" "$(agrees $law tests/loop/tuned/standing_car_64.scn)"
 done
+# The pulse of a clear road, 38 ms, ends 0.37 ms before the PWM takes its last new duty for the next
+# period, and what else the chip does just then decides whether it is in time: at the edge of the sensor's
+# reach it ends earlier here.
 for law in brake tuned classic; do
     case_is $LINENO "${law}_noisy_4.0" "$(agrees $law tests/loop/tuned/standing_car_40.scn scenario.seed=7)"
-    case_is $LINENO "${law}_lead_brakes" "$(agrees $law tests/loop/tuned/lead_brakes_5mps2.scn)"
+    case_is $LINENO "${law}_lead_brakes" "$(agrees $law tests/loop/tuned/lead_brakes_5mps2.scn sensor.no_echo_us=37000)"
 done
 case_is $LINENO tuned_holds "$(agrees tuned tests/loop/tuned/holds.scn)"
-# The pulse of a clear road, 38 ms, ends 0.34 ms before the PWM takes its last new duty for the next
-# period, and what else the chip does just then decides whether it is in time: here it ends earlier.
 case_is $LINENO tuned_at_the_edge "$(agrees tuned tests/loop/tuned/passing_at_the_edge.scn sensor.no_echo_us=37000)"
 
 # The command that found tables/brake_tuned.fis, as that says it, in three rounds (`make tune` does all):

@@ -83,6 +83,39 @@ static void test_every_steady_speed_is_found(void)
     }
 }
 
+#ifdef __SDCC_mcs51
+#define STEP 17
+#else
+#define STEP 1
+#endif
+
+/* A target that stood, off by so much: the smooth speed is a quarter of the difference's, to the bit. Its
+ * factor is 1 / 16 of 50 / n, times 2^20 and rounded up. */
+static void test_smooth_takes_a_quarter_of_each_deviation_within_the_gate(void)
+{
+    uint8_t period_cs;
+    int16_t off;
+
+    for (period_cs = CLOSING_ELAPSED_MIN_CS; period_cs <= CLOSING_ELAPSED_MAX_CS; period_cs++) {
+        uint32_t rate = (204800UL + period_cs - 1) / period_cs;
+
+        for (off = -350; off <= 350; off += STEP) {
+            uint16_t apart = (uint16_t)(off < 0 ? -off : off);
+            uint16_t whole_2mmps = (uint16_t)((rate * apart) >> 12), mmps = (uint16_t)(whole_2mmps >> 2 << 1);
+
+            closing_restart();
+            update(3000, period_cs);
+            update(3000, period_cs);
+            update((uint16_t)(3000 + off), period_cs);
+            if (closing_smooth.closing_mmps != (off < 0 ? mmps : 0) || closing_smooth.opening_mmps != (off > 0 ? mmps : 0) ||
+                closing_difference.closing_mmps != (off < 0 ? whole_2mmps << 1 : 0) ||
+                closing_difference.opening_mmps != (off > 0 ? whole_2mmps << 1 : 0)) {
+                TEST_ASSERT_EQUAL_INT16_MESSAGE(0, off, "mm off: not what the plain product says");
+            }
+        }
+    }
+}
+
 static void test_true_elapsed_time_counts_after_a_dropout(void)
 {
     uint8_t missing;
@@ -222,6 +255,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_first_reading_has_no_speed);
     RUN_TEST(test_every_steady_speed_is_found);
+    RUN_TEST(test_smooth_takes_a_quarter_of_each_deviation_within_the_gate);
     RUN_TEST(test_true_elapsed_time_counts_after_a_dropout);
     RUN_TEST(test_other_periods_work_too);
     RUN_TEST(test_a_target_starts_anew_after_a_long_silence);

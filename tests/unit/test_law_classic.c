@@ -9,7 +9,7 @@ void setUp(void)
 {
     closing_difference.closing_mmps = 0;
     closing_difference.opening_mmps = 0;
-    law_step(LAW_FAR_MM, LAW_NEW); /* not braking */
+    law_step(LAW_NEW, LAW_FAR_MM); /* not braking */
 }
 
 void tearDown(void) {}
@@ -67,20 +67,20 @@ static void test_opening_counts_as_standing(void)
 static void test_brakes_until_half_a_metre_more_than_safe(void)
 {
     closing_difference.closing_mmps = 2000;
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(1950, LAW_TRACKED));
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(1900, LAW_TRACKED));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_TRACKED, 1950));
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_TRACKED, 1900));
     closing_difference.closing_mmps = 0;
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(1500, LAW_TRACKED));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(1501, LAW_TRACKED));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(1400, LAW_TRACKED));
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_TRACKED, 1500));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_TRACKED, 1501));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_TRACKED, 1400));
 }
 
 static void test_another_target_is_judged_afresh(void)
 {
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(900, LAW_NEW));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(1200, LAW_NEW));
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(900, LAW_TRACKED));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(1200, LAW_ENTERED));
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_NEW, 900));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_NEW, 1200));
+    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_TRACKED, 900));
+    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_ENTERED, 1200));
 }
 
 int main(void)

@@ -9,6 +9,7 @@
 #include "brake.c" /* with the estimator of this law */
 #include "range.h"
 #include "step.h"
+#include "cells.h"
 #include "warned.h"
 
 static void look(uint8_t kind, uint16_t dist_mm)
@@ -28,6 +29,11 @@ void setUp(void)
 }
 
 void tearDown(void) {}
+
+static void test_every_distance_and_speed_lies_in_its_cell(void)
+{
+    check_cells();
+}
 
 /* --- first sight ------------------------------------------------------------------------------ */
 
@@ -198,6 +204,7 @@ static void test_table_falls_with_distance_and_rises_with_speed(void)
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_every_distance_and_speed_lies_in_its_cell);
     RUN_TEST(test_a_fast_target_is_braked_at_first_sight);
     RUN_TEST(test_first_sight_never_exceeds_its_limit);
     RUN_TEST(test_otherwise_the_first_reading_does_not_brake);
