@@ -139,7 +139,9 @@ wait $running
 status=$?
 # A busy machine may take its time over a process that has been killed.
 for _ in $(seq 50); do
-    wrong=$(pgrep -af "$out/report/runs" | head -n 3)
+    wrong=$(for pid in $(pgrep -f "$out/report/runs"); do
+        [ ! "/proc/$pid/cwd" -ef . ] || tr '\0' ' ' <"/proc/$pid/cmdline"
+    done 2>/dev/null | head -c 300)
     [ -n "$wrong" ] || break
     sleep 0.2
 done
