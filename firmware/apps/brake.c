@@ -118,7 +118,7 @@ static void conclude(uint8_t echo)
     report();
 }
 
-/* No echo waits for more than one of the loop's two halves. */
+/* Between the loop's parts, so that an echo waits for one of them at most. */
 static void poll(void)
 {
     if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
@@ -306,6 +306,7 @@ void main(void)
                 brake_fail(BRAKE_FAULT_STACK);
             }
             apply();
+            poll();
             show();
 
             /* Every 60 ms. */

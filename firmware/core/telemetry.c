@@ -78,6 +78,9 @@ static void take(char conversion)
         /* fall through */
     default:
         power = 0;
+        if (number < 1000U) { /* leading zeros take time, too */
+            power = number < 100U ? 3 : 2;
+        }
     }
     value++;
 }
