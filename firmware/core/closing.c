@@ -76,6 +76,9 @@ void closing_expect(uint8_t elapsed_cs)
 {
     uint16_t gate_mm = CLOSING_GATE_MM;
 
+    if (elapsed_cs < CLOSING_ELAPSED_MIN_CS) { /* RATES begins there */
+        elapsed_cs = CLOSING_ELAPSED_MIN_CS;
+    }
     if (is_place_due) {
         uint16_t part_mm = off_mm >> 2;
 

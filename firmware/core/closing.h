@@ -37,8 +37,8 @@ extern uint8_t closing_samples;
 /* Forgets the target; speeds are 0 until two readings came. */
 void closing_restart(void);
 
-/* A reading is on its way, elapsed_cs (1/100 s, CLOSING_ELAPSED_MIN_CS or more) after the last call or
- * restart. Once for each, whether it comes or not. Up to 440 mc. */
+/* A reading is on its way, elapsed_cs (1/100 s; less than CLOSING_ELAPSED_MIN_CS counts as that) after the
+ * last call or restart. Once for each, whether it comes or not. Up to 440 mc. */
 void closing_expect(uint8_t elapsed_cs);
 
 /* The reading came, 0..RANGE_MAX_MM. False: it is set aside and the speeds stay as they are. True, and

@@ -149,6 +149,18 @@ static void test_other_periods_work_too(void)
     }
 }
 
+static void test_a_time_too_short_counts_as_the_shortest(void)
+{
+    uint8_t elapsed_cs;
+
+    for (elapsed_cs = 0; elapsed_cs < CLOSING_ELAPSED_MIN_CS; elapsed_cs++) {
+        closing_restart();
+        update(3000, CLOSING_ELAPSED_MIN_CS);
+        TEST_ASSERT_TRUE(update(2900, elapsed_cs));
+        TEST_ASSERT_UINT16_WITHIN(2, 100U * 100U / CLOSING_ELAPSED_MIN_CS, closing_difference.closing_mmps);
+    }
+}
+
 static void test_a_target_starts_anew_after_a_long_silence(void)
 {
     read_at(5000);
@@ -258,6 +270,7 @@ int main(void)
     RUN_TEST(test_smooth_takes_a_quarter_of_each_deviation_within_the_gate);
     RUN_TEST(test_true_elapsed_time_counts_after_a_dropout);
     RUN_TEST(test_other_periods_work_too);
+    RUN_TEST(test_a_time_too_short_counts_as_the_shortest);
     RUN_TEST(test_a_target_starts_anew_after_a_long_silence);
     RUN_TEST(test_gate_opens_with_the_third_reading_and_at_its_limit);
     RUN_TEST(test_second_reading_may_be_as_far_as_36_mps_go);
