@@ -70,7 +70,7 @@ expect "run without options" 2 "run wants --board and --scenario" "$drive" run
 expect "unknown option" 2 "unrecognized option" "$drive" run --fast
 expect "quantum beyond the sensor's delay" 2 "--quantum-us=401: give a whole number in 10..400" run PLAIN --quantum-us 401
 expect "step of no length" 2 "--step-us=0: give a whole number" run PLAIN --step-us 0
-expect "unknown board" 2 "no board 'at89s51'; the boards are: at89s52 " run PLAIN --board at89s51
+expect "unknown board" 2 "no board 'at89s51'; the boards are: $(basename -as .mk firmware/boards/*.mk | xargs)" run PLAIN --board at89s51
 expect "missing scenario" 1 "nowhere.scn: error: cannot read the scenario" run PLAIN --scenario nowhere.scn
 expect "folder as a scenario" 1 "error: cannot read the scenario: Is a directory" run PLAIN --scenario "$work"
 expect "bad setting" 1 "--set: error: 'speed=4': write section.key=value" run PLAIN --set speed=4

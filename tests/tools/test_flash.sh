@@ -22,7 +22,7 @@ expect stc_runs_stcgal 'stcgal -P stc89 -p /dev/x build/stc89c516rd/brake.hex' \
 expect at89_runs_avrdude 'avrdude -C +firmware/boards/at89s52.conf -c avrisp -b 19200 -P /dev/x -p AT89S52 -U flash:w:build/at89s52/brake.hex:i' \
     make -n flash BOARD=at89s52 PORT=/dev/x
 expect another_app_is_flashed 'build/at89s52/gap.hex' make -n flash BOARD=at89s52 PORT=/dev/x APP=gap
-expect a_missing_board_is_named 'the boards are: at89s52 ' make flash
+expect a_missing_board_is_named "the boards are: $(basename -as .mk firmware/boards/*.mk | xargs)" make flash
 expect a_missing_port_is_named 'say where the chip is' "${at89s52[@]}"
 expect a_missing_flasher_is_named 'nosuchtool is missing' "${at89s52[@]}" PORT=/dev/x 'FLASH=nosuchtool'
 expect a_board_without_flasher_says_so 'no flasher of its own' make flash BOARD=generic8052 PORT=/dev/x

@@ -91,8 +91,8 @@ run_report
 status=$?
 wrong=
 [ $status = 1 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
-[ "$(grep -c '"ok":true' "$out/report/work/brake.json")" = 1 ] || wrong="$wrong not one good run"
-[ "$(grep -c '"ok":false' "$out/report/work/brake.json")" = 2 ] || wrong="$wrong not two failed runs"
+[ "$(grep -c '"ok":true' "$out/report/parts/brake.json")" = 1 ] || wrong="$wrong not one good run"
+[ "$(grep -c '"ok":false' "$out/report/parts/brake.json")" = 2 ] || wrong="$wrong not two failed runs"
 grep -q '2 runs failed' "$out/log" || wrong="$wrong the failures are not said"
 case_is $LINENO a_failed_run_is_reported_and_loses_no_other "$wrong"
 
@@ -156,7 +156,7 @@ only='seen_0[0-5]* cutin_* map_*' run_report
 wrong=
 [ "$done_before" -ge 2 ] && [ "$done_before" -lt "$wanted" ] || wrong="$done_before of $wanted were done when it was interrupted"
 [ "$(calls)" = $((wanted - done_before)) ] || wrong="$wrong $(calls) runs to complete $done_before of $wanted"
-[ "$(grep -c '"ok":true' "$out/report/work/brake.json")" = "$wanted" ] || wrong="$wrong not all are there"
+[ "$(grep -c '"ok":true' "$out/report/parts/brake.json")" = "$wanted" ] || wrong="$wrong not all are there"
 case_is $LINENO an_interrupted_report_goes_on "$wrong"
 
 # Another machine, by a stand-in for ssh: a folder that has nothing of ours, and the HOME and SHELL that

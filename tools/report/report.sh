@@ -17,7 +17,7 @@ board=${1:?"which board?"}
 export DRIVE
 here=tools/report
 runs=$REPORT_OUT/runs
-work=$REPORT_OUT/work
+work=$REPORT_OUT/parts
 mkdir -p "$runs" "$REPORT_OUT/scenarios"
 rm -rf "$work"
 mkdir -p "$work/traces" "$work/figures"
