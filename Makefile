@@ -35,7 +35,7 @@ $(error no board '$(BOARD)'; the boards are: $(BOARDS))
 endif
 endif
 
-.PHONY: all tools firmware demo bench report test test-long help clean deps
+.PHONY: all tools firmware format demo bench report test test-long help clean deps
 all: tools firmware
 
 help:
@@ -51,6 +51,7 @@ help:
 	@echo "make bench           cycles, bytes and stack of each app; the estimators in the loop; fistab beside fuzzylite;"
 	@echo "                     drive beside free s51"
 	@echo "make fuzz            feeds fistab with ever odder files for FUZZ_SECONDS=$(FUZZ_SECONDS)"
+	@echo "make format          lays out all C by .clang-format"
 	@echo "make deps            installs what the build needs"
 	@echo "make clean           removes build/"
 
@@ -59,6 +60,11 @@ deps:
 
 clean:
 	$(Q)rm -rf build
+
+# The one style of all C: .clang-format.
+format:
+	@tools/deps.sh format
+	$(Q)clang-format-19 -i $$(git ls-files '*.c' '*.h')
 
 # --- host tools -------------------------------------------------------------------------------
 HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror -MMD -Itools/common -Ibuild

@@ -20,23 +20,23 @@
 #error a tick must be 10 ms: the brake counts in hundredths of a second
 #endif
 
-static uint8_t tick;            /* seen, as hal_ticks counts */
+static uint8_t tick; /* seen, as hal_ticks counts */
 static uint16_t seconds, milliseconds;
 
-static bool is_testing;         /* the self-test at boot runs */
-static uint8_t table_test;      /* enum selftest */
-static uint8_t idle_wait;       /* ticks */
+static bool is_testing;    /* the self-test at boot runs */
+static uint8_t table_test; /* enum selftest */
+static uint8_t idle_wait;  /* ticks */
 
-static uint8_t until_trigger;   /* ticks */
-static uint8_t triggered;       /* tick */
+static uint8_t until_trigger; /* ticks */
+static uint8_t triggered;     /* tick */
 static bool is_measuring;
-static uint16_t dist_mm;        /* measured last; 0: no echo */
+static uint16_t dist_mm; /* measured last; 0: no echo */
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */
 static __idata uint8_t stack_unused;
 static bool is_talking;
-static char command;            /* waits for the line under way to end; 0: none */
+static char command; /* waits for the line under way to end; 0: none */
 #define SAY_HEADER '\1'
 
 static const char __code TITLE[] = "# " VERSION " %s table=%x reset=%s\r\n";

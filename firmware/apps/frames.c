@@ -17,10 +17,10 @@
 #error a tick must be 10 ms: the clock below counts so
 #endif
 
-static uint8_t tick;                   /* seen, as hal_ticks counts */
-static __idata uint16_t now_ms;        /* wraps */
+static uint8_t tick;            /* seen, as hal_ticks counts */
+static __idata uint16_t now_ms; /* wraps */
 static __idata uint16_t seconds, milliseconds;
-static uint8_t until_trigger;          /* ticks */
+static uint8_t until_trigger; /* ticks */
 static __idata uint8_t until_report;
 static bool is_testing;
 static uint8_t fault;
@@ -38,8 +38,9 @@ static void report(void)
     uint8_t last;
 
     seq++;
-    if (telemetry_is_busy())
+    if (telemetry_is_busy()) {
         return;
+    }
     telemetry_values[0].number = seq;
     telemetry_values[1].number = seconds;
     telemetry_values[2].number = milliseconds;
@@ -64,12 +65,14 @@ static void finish_selftest(void)
     frame_init(app.kind, app.payload_bytes);
     link_init(is_restart ? LINK_LOST : LINK_WAITING, now_ms);
     app_init();
-    if (fault != FRAMES_FAULT_NONE)
+    if (fault != FRAMES_FAULT_NONE) {
         return;
-    if (is_restart)
+    }
+    if (is_restart) {
         fault = FRAMES_FAULT_WATCHDOG;
-    else
+    } else {
         app_apply();
+    }
 }
 
 /* The pins stay as reset left them, on the safe side, until all is found good. */
@@ -81,8 +84,9 @@ static void test(void)
     case SELFTEST_FAILED:
         fault = FRAMES_FAULT_TABLE;
     }
-    if (!hal_ram_is_good())
+    if (!hal_ram_is_good()) {
         fault = FRAMES_FAULT_RAM;
+    }
     finish_selftest();
 }
 
@@ -94,8 +98,9 @@ static void take_frame(void)
         link_bad();
         return;
     }
-    if (!link_good(now_ms))
+    if (!link_good(now_ms)) {
         return;
+    }
     fault = FRAMES_FAULT_NONE;
     app_decide();
     app_apply();
@@ -106,33 +111,40 @@ static void listen(void)
 {
     uint8_t result = frame_push(hal_take());
 
-    if (is_testing || fault >= FRAMES_FAULT_TABLE)
+    if (is_testing || fault >= FRAMES_FAULT_TABLE) {
         return;
-    if (result == FRAME_GOOD)
+    }
+    if (result == FRAME_GOOD) {
         take_frame();
-    else if (result == FRAME_BAD)
+    } else if (result == FRAME_BAD) {
         link_bad();
+    }
 }
 
 /* Every 10 ms. */
 static void watch(void)
 {
-    if (!hal_stack_is_good())
+    if (!hal_stack_is_good()) {
         fault = FRAMES_FAULT_STACK;
-    if (fault < FRAMES_FAULT_TABLE && link_check(now_ms) == LINK_LOST && fault == FRAMES_FAULT_NONE)
+    }
+    if (fault < FRAMES_FAULT_TABLE && link_check(now_ms) == LINK_LOST &&
+        fault == FRAMES_FAULT_NONE) {
         fault = FRAMES_FAULT_LINK;
-    if (fault != FRAMES_FAULT_NONE)
+    }
+    if (fault != FRAMES_FAULT_NONE) {
         lose();
+    }
 }
 
 static void show(void)
 {
     uint8_t pattern = app_lamp();
 
-    if (fault >= FRAMES_FAULT_TABLE)
+    if (fault >= FRAMES_FAULT_TABLE) {
         pattern = (uint8_t)(fault - FRAMES_FAULT_TABLE + 2U);
-    else if (fault != FRAMES_FAULT_NONE)
+    } else if (fault != FRAMES_FAULT_NONE) {
         pattern = LAMP_ON;
+    }
     hal_lamp_set(lamp_tick(pattern));
     hal_buzzer_set(fault != FRAMES_FAULT_NONE);
 }
@@ -151,8 +163,9 @@ static void talk(void)
 {
     char c;
 
-    if (!hal_uart_ready())
+    if (!hal_uart_ready()) {
         return;
+    }
     c = telemetry_next();
     if (c != 0) {
         hal_uart_put(c);
@@ -179,13 +192,16 @@ void main(void)
 
     for (;;) {
         /* Every round. */
-        if (is_testing)
+        if (is_testing) {
             test();
+        }
         talk();
-        if (hal_waiting() != 0)
+        if (hal_waiting() != 0) {
             listen();
-        if (hal_ticks() == tick)
+        }
+        if (hal_ticks() == tick) {
             continue;
+        }
 
         /* Every 10 ms. */
         tick++;
@@ -207,7 +223,8 @@ void main(void)
         }
 
         /* Nothing above took so long that a tick went by unseen. */
-        if (hal_ticks() == tick)
+        if (hal_ticks() == tick) {
             hal_watchdog_feed();
+        }
     }
 }

@@ -12,7 +12,8 @@
 #include "lamp.h"
 #include "telemetry.h"
 
-/* What is wrong, as telemetry says it. From FRAMES_FAULT_TABLE on they last until the next start. */
+/* What is wrong, as telemetry says it. From FRAMES_FAULT_TABLE on they last until the next start.
+ */
 enum frames_fault {
     FRAMES_FAULT_NONE,
     FRAMES_FAULT_LINK,     /* silence for 200 ms (link.h), or three good frames in a row not yet */

@@ -1,9 +1,11 @@
-/* The parking controller: place and heading -> two steering laws, blended -> servo, and the stop. */
+/* The parking controller: place and heading -> two steering laws, blended -> servo, and the stop.
+ */
 #include "frames.h"
 #include "park.h"
 
 static const char __code NAME[] = "park";
-static const char __code HEADER[] = "seq,ms,x_512,y_512,heading,dist_mm,weight,servo_us,state,fault\r\n";
+static const char __code HEADER[] =
+    "seq,ms,x_512,y_512,heading,dist_mm,weight,servo_us,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%s%u,%u,%u,%u,%u,%u,%s,%u\r\n";
 static const char __code *const __code STATES[] = {"WAITING", "DRIVING", "ARRIVED", "FAULT"};
 

@@ -1,4 +1,5 @@
-/* The radar controller: beat frequencies -> safe distance, lane, table -> brake and throttle cut. */
+/* The radar controller: beat frequencies -> safe distance, lane, table -> brake and throttle cut.
+ */
 #include "frames.h"
 #include "radar.h"
 

@@ -7,26 +7,27 @@
 
 struct brake_output brake;
 
-static uint8_t demand_pct;      /* what the brake does but for STOP and override */
-static __bit has_target;        /* the last good reading was an echo within the law's reach */
-static __bit is_clear;          /* the last reading was a good "no target" */
+static uint8_t demand_pct; /* what the brake does but for STOP and override */
+static __bit has_target;   /* the last good reading was an echo within the law's reach */
+static __bit is_clear;     /* the last reading was a good "no target" */
 static __bit is_fault;
-static uint8_t silence_cs;      /* since the last good reading */
+static uint8_t silence_cs; /* since the last good reading */
 static uint8_t override_cs;
-static __bit is_latched;        /* STOP */
-static __bit is_sure;           /* of it: a second reading or a tracked approach said the same */
-static uint16_t raw_mm;         /* the last echo, believed or not */
-static __bit is_tracked;        /* and its third reading or a later one of this target */
+static __bit is_latched; /* STOP */
+static __bit is_sure;    /* of it: a second reading or a tracked approach said the same */
+static uint16_t raw_mm;  /* the last echo, believed or not */
+static __bit is_tracked; /* and its third reading or a later one of this target */
 static __bit is_stuck;
-static __bit is_moving;         /* the target cannot have come to rest: the same reading again is a stuck one */
-static __bit is_unfinished;     /* brake_finish is due */
-static __bit is_prompt;         /* this measurement, LAW_ENTER_CS or less after the one before */
+static __bit
+    is_moving; /* the target cannot have come to rest: the same reading again is a stuck one */
+static __bit is_unfinished; /* brake_finish is due */
+static __bit is_prompt;     /* this measurement, LAW_ENTER_CS or less after the one before */
 
 /* Less often used: the RAM that instructions address is nearly full. */
-static __idata uint8_t good_readings;    /* in a row, while in FAULT */
-static __idata uint8_t doubts;           /* readings against STOP */
+static __idata uint8_t good_readings; /* in a row, while in FAULT */
+static __idata uint8_t doubts;        /* readings against STOP */
 static __idata uint8_t opening_readings;
-static __idata uint8_t lost_readings;    /* so many more "no target" are a missing echo */
+static __idata uint8_t lost_readings; /* so many more "no target" are a missing echo */
 static __idata uint8_t calm_readings;
 
 /* What the pins do, from what was decided. */
@@ -228,7 +229,8 @@ static uint8_t judge_no_echo(uint8_t kind)
 /* A speed's magnitudes are added: one of them is 0. */
 static bool may_not_rest(void)
 {
-    return (uint16_t)(closing_smooth.closing_mmps + closing_smooth.opening_mmps) >= BRAKE_STUCK_MMPS &&
+    return (uint16_t)(closing_smooth.closing_mmps + closing_smooth.opening_mmps) >=
+               BRAKE_STUCK_MMPS &&
            (uint16_t)(closing_difference.closing_mmps + closing_difference.opening_mmps) >=
                mul_u8(closing_span_cs, BRAKE_STUCK_MMPS_PER_CS);
 }
@@ -271,7 +273,8 @@ void brake_step(uint8_t kind, uint16_t dist_mm)
                 target = was_clear && is_prompt ? LAW_ENTERED : LAW_GLIMPSE;
             }
         }
-        if (brake.fault < BRAKE_FAULT_TABLE) { /* else the table, or what holds it, cannot be trusted */
+        if (brake.fault <
+            BRAKE_FAULT_TABLE) { /* else the table, or what holds it, cannot be trusted */
             wanted_pct = law_step(target, raw_mm);
         }
     }

@@ -13,10 +13,10 @@
 #include "cc51.h"
 #include "closing.h"
 
-/* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth; the other one can
- * wait until the brake has acted. The release of STOP and the warning always ask the smooth one. And
- * how many cells further or slower the target must seem before the brake follows: for at most one step
- * of more than 2 points a second at 2 cm of noise. */
+/* Which estimator feeds the table: ESTIMATOR_difference (default) or ESTIMATOR_smooth; the other
+ * one can wait until the brake has acted. The release of STOP and the warning always ask the smooth
+ * one. And how many cells further or slower the target must seem before the brake follows: for at
+ * most one step of more than 2 points a second at 2 cm of noise. */
 #if defined(ESTIMATOR_smooth)
 #define BRAKE_SPEED      closing_smooth
 #define BRAKE_TAKE_FIRST closing_take_smooth
@@ -40,17 +40,17 @@
 #define FAULT_PCT 60
 #endif
 
-/* Stop at this distance (0: never); let go beyond the second one, opening faster than this twice in a
- * row, or after the override was held that long. */
+/* Stop at this distance (0: never); let go beyond the second one, opening faster than this twice in
+ * a row, or after the override was held that long. */
 #ifndef BRAKE_STOP_MM
-#define BRAKE_STOP_MM       1000U
+#define BRAKE_STOP_MM 1000U
 #endif
-#define BRAKE_RELEASE_MM    1300U
-#define BRAKE_RELEASE_MMPS  200U
-#define BRAKE_OVERRIDE_CS   100U
+#define BRAKE_RELEASE_MM   1300U
+#define BRAKE_RELEASE_MMPS 200U
+#define BRAKE_OVERRIDE_CS  100U
 
-/* Silent for more than 180 ms, three sensor periods, the controller is in FAULT until so many readings
- * in a row were good. */
+/* Silent for more than 180 ms, three sensor periods, the controller is in FAULT until so many
+ * readings in a row were good. */
 #define BRAKE_SILENCE_CS    18U
 #define BRAKE_GOOD_READINGS 3U
 
@@ -59,16 +59,17 @@
 #define BRAKE_NEAR_MM       4000U
 #define BRAKE_LOST_READINGS 20U
 
-/* The same reading again is a stuck one where the target moved at the first speed and cannot have come
- * to rest by the first of the two readings: one that does moved, on the mean over the time t before
- * it, at a t / 2 and up to sqrt(2 a 1 mm) more, for the millimetre that a reading hides. With 10 m/s2,
- * the most that wheels hold, that and the readings' rounding are 0.46 m/s over 60 ms, 0.76 over 120,
- * 1.06 over 180: less than the second speed for each 1/100 s of t. */
+/* The same reading again is a stuck one where the target moved at the first speed and cannot have
+ * come to rest by the first of the two readings: one that does moved, on the mean over the time t
+ * before it, at a t / 2 and up to sqrt(2 a 1 mm) more, for the millimetre that a reading hides.
+ * With 10 m/s2, the most that wheels hold, that and the readings' rounding are 0.46 m/s over 60 ms,
+ * 0.76 over 120, 1.06 over 180: less than the second speed for each 1/100 s of t. */
 #define BRAKE_STUCK_MMPS        800U
 #define BRAKE_STUCK_MMPS_PER_CS 80U
 
-/* Warn when the target, at its present speed, would be braked for this hard in one second (0.8 s and
- * the time a reading takes), and closes faster than this; until it was not so for half a second. */
+/* Warn when the target, at its present speed, would be braked for this hard in one second (0.8 s
+ * and the time a reading takes), and closes faster than this; until it was not so for half a
+ * second. */
 #define BRAKE_WARN_PCT      60U
 #define BRAKE_WARN_MMPS     300U
 #define BRAKE_CALM_READINGS 8U
@@ -95,10 +96,10 @@ struct brake_output {
     uint8_t brake_pct; /* 0..100 */
     bool stop;         /* the stop line */
     bool warn;
-    uint8_t state;     /* enum brake_state */
-    uint8_t fault;     /* enum brake_fault: why FAULT, or what is wrong with the last reading */
-    uint8_t row, col;  /* of the last look-up */
-    bool overridden;   /* the driver has the brake */
+    uint8_t state;    /* enum brake_state */
+    uint8_t fault;    /* enum brake_fault: why FAULT, or what is wrong with the last reading */
+    uint8_t row, col; /* of the last look-up */
+    bool overridden;  /* the driver has the brake */
 };
 extern struct brake_output brake;
 
@@ -115,15 +116,15 @@ inline bool brake_must_stop(uint16_t dist_mm)
     return dist_mm <= BRAKE_STOP_MM && !brake.overridden;
 }
 
-/* One measurement is three calls. brake_expect when it is under way: elapsed_cs is the time from the
- * last trigger to this one, 5..31 hundredths of a second. brake_step when it is there, with its
- * range_kind and, if that is RANGE_ECHO, its distance: only this one is between an echo and the duty. At
- * most 510 mc and 1,010 mc, as tools/bound finds them: the packed table, the tuned law. */
+/* One measurement is three calls. brake_expect when it is under way: elapsed_cs is the time from
+ * the last trigger to this one, 5..31 hundredths of a second. brake_step when it is there, with its
+ * range_kind and, if that is RANGE_ECHO, its distance: only this one is between an echo and the
+ * duty. At most 510 mc and 1,010 mc, as tools/bound finds them: the packed table, the tuned law. */
 void brake_expect(uint8_t elapsed_cs);
 void brake_step(uint8_t kind, uint16_t dist_mm);
 
-/* brake_finish once its outcome is at the pins: the warning, the release of STOP, the other estimator.
- * Bring the pins up to date again. At most 590 mc. */
+/* brake_finish once its outcome is at the pins: the warning, the release of STOP, the other
+ * estimator. Bring the pins up to date again. At most 590 mc. */
 void brake_finish(void);
 
 /* Every 1/100 s. */

@@ -13,38 +13,38 @@
 #endif
 
 /* The cell that x, below SPAN, lies in. Cells of whole mm or mm/s: the byte x >> SHIFT times
- * 256 * 2^SHIFT / width gives its number or one less, and the rest, below twice the width, tells which: of
- * narrow cells a byte. Other cells: the reciprocal, which takes 50 mc more. */
-#define SHIFT(span)                                                                                          \
-    ((span) > 32768UL   ? 8                                                                                  \
-     : (span) > 16384UL ? 7                                                                                  \
-     : (span) > 8192UL  ? 6                                                                                  \
-     : (span) > 4096UL  ? 5                                                                                  \
-     : (span) > 2048UL  ? 4                                                                                  \
+ * 256 * 2^SHIFT / width gives its number or one less, and the rest, below twice the width, tells
+ * which: of narrow cells a byte. Other cells: the reciprocal, which takes 50 mc more. */
+#define SHIFT(span)                                                                                \
+    ((span) > 32768UL   ? 8                                                                        \
+     : (span) > 16384UL ? 7                                                                        \
+     : (span) > 8192UL  ? 6                                                                        \
+     : (span) > 4096UL  ? 5                                                                        \
+     : (span) > 2048UL  ? 4                                                                        \
                         : 3)
 #define WIDTH(span, cells) ((span) / (cells))
-#define FITS(span, cells)                                                                                    \
-    ((span) % (cells) == 0 && WIDTH(span, cells) <= 510 &&                                                   \
+#define FITS(span, cells)                                                                          \
+    ((span) % (cells) == 0 && WIDTH(span, cells) <= 510 &&                                         \
      (1UL << SHIFT(span)) + (256UL << SHIFT(span)) % WIDTH(span, cells) < WIDTH(span, cells))
 #define IS_NARROW(span, cells) (WIDTH(span, cells) <= 128)
-#define ONE_LESS(byte, span, cells)                                                                          \
+#define ONE_LESS(byte, span, cells)                                                                \
     (uint8_t)(mul_u8(byte, (uint8_t)((256UL << SHIFT(span)) / WIDTH(span, cells))) >> 8)
-#define CELL_NARROW(cell, x, span, cells)                                                                    \
-    do {                                                                                                     \
-        cell = (uint8_t)((uint8_t)((x) >> 8) << (8 - SHIFT(span)) | (uint8_t)(x) >> SHIFT(span));            \
-        cell = ONE_LESS(cell, span, cells);                                                                  \
-        if ((uint8_t)((x) - mul_u8(cell, (uint8_t)WIDTH(span, cells))) >= WIDTH(span, cells)) {              \
-            cell++;                                                                                          \
-        }                                                                                                    \
+#define CELL_NARROW(cell, x, span, cells)                                                          \
+    do {                                                                                           \
+        cell = (uint8_t)((uint8_t)((x) >> 8) << (8 - SHIFT(span)) | (uint8_t)(x) >> SHIFT(span));  \
+        cell = ONE_LESS(cell, span, cells);                                                        \
+        if ((uint8_t)((x) - mul_u8(cell, (uint8_t)WIDTH(span, cells))) >= WIDTH(span, cells)) {    \
+            cell++;                                                                                \
+        }                                                                                          \
     } while (0)
-#define CELL_WIDE(cell, x, span, cells)                                                                      \
-    do {                                                                                                     \
-        cell = ONE_LESS((uint8_t)((x) >> SHIFT(span)), span, cells);                                         \
-        x = (uint16_t)(x - mul_u8(cell, (uint8_t)(WIDTH(span, cells) / 2)));                                 \
-        x = (uint16_t)(x - mul_u8(cell, (uint8_t)((WIDTH(span, cells) + 1) / 2)));                           \
-        if ((x) >= WIDTH(span, cells)) {                                                                     \
-            cell++;                                                                                          \
-        }                                                                                                    \
+#define CELL_WIDE(cell, x, span, cells)                                                            \
+    do {                                                                                           \
+        cell = ONE_LESS((uint8_t)((x) >> SHIFT(span)), span, cells);                               \
+        x = (uint16_t)(x - mul_u8(cell, (uint8_t)(WIDTH(span, cells) / 2)));                       \
+        x = (uint16_t)(x - mul_u8(cell, (uint8_t)((WIDTH(span, cells) + 1) / 2)));                 \
+        if ((x) >= WIDTH(span, cells)) {                                                           \
+            cell++;                                                                                \
+        }                                                                                          \
     } while (0)
 
 uint8_t cell_row(uint16_t dist_mm)

@@ -6,19 +6,20 @@
 __data struct closing_speed closing_difference, closing_smooth;
 uint8_t closing_samples, closing_span_cs;
 
-static uint16_t place_mm;      /* believed last */
-static uint8_t since_cs;       /* since then; 255: long */
-static __bit has_aside;        /* and one that was not */
+static uint16_t place_mm; /* believed last */
+static uint8_t since_cs;  /* since then; 255: long */
+static __bit has_aside;   /* and one that was not */
 static uint16_t aside_mm;
 static uint8_t since_aside_cs;
 
-/* Alpha-beta's place of the target and its speed; both wait for closing_expect where they are due. */
+/* Alpha-beta's place of the target and its speed; both wait for closing_expect where they are due.
+ */
 static uint16_t smooth_mm;
 static int16_t smooth_2mmps;
 static __bit is_place_due, is_speed_due;
 
-/* What the next reading is taken from, where this target's lies if it is believed, and the rate of its
- * time, or of that since the one aside. */
+/* What the next reading is taken from, where this target's lies if it is believed, and the rate of
+ * its time, or of that since the one aside. */
 static uint16_t before_mm;
 static uint16_t gate_from_mm, gate_span_mm;
 static uint16_t rate, rate_aside; /* out of RATES */
@@ -88,7 +89,8 @@ void closing_expect(uint8_t elapsed_cs)
     if (is_speed_due) { /* nothing to smooth yet */
         is_speed_due = false;
         smooth_mm = place_mm;
-        smooth_2mmps = (int16_t)(closing_smooth.closing_mmps >> 1) - (int16_t)(closing_smooth.opening_mmps >> 1);
+        smooth_2mmps = (int16_t)(closing_smooth.closing_mmps >> 1) -
+                       (int16_t)(closing_smooth.opening_mmps >> 1);
     }
     before_mm = place_mm;
     since_cs = later_cs(since_cs, elapsed_cs);
@@ -169,7 +171,8 @@ void closing_take_difference(void)
         moved_mm = 4095U;
     }
     moved_mm = (uint16_t)(moved_mm << 4);
-    moved_mm = mul_hi_bytes((uint8_t)(moved_mm >> 8), (uint8_t)moved_mm, (uint8_t)(rate >> 8), (uint8_t)rate);
+    moved_mm = mul_hi_bytes((uint8_t)(moved_mm >> 8), (uint8_t)moved_mm, (uint8_t)(rate >> 8),
+                            (uint8_t)rate);
     moved_mm = (uint16_t)(moved_mm << 1);
     if (is_nearer) {
         closing_difference.closing_mmps = moved_mm;
@@ -192,7 +195,8 @@ void closing_take_smooth(void)
         off_mm = (uint16_t)(CLOSING_GATE_MM - off_mm);
         is_further = false;
     }
-    /* A quarter of what closing_take_difference says of so many mm: CLOSING_GATE_MM at most, no sum overflows. */
+    /* A quarter of what closing_take_difference says of so many mm: CLOSING_GATE_MM at most, no sum
+     * overflows. */
     part_2mmps = mul_u8((uint8_t)off_mm, (uint8_t)rate) >> 8;
     part_2mmps += mul_u8((uint8_t)off_mm, (uint8_t)(rate >> 8));
     if ((uint8_t)(off_mm >> 8) != 0) {

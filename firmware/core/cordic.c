@@ -3,12 +3,14 @@
 #include <stdbool.h>
 #include "cc51.h"
 
+#define HALF_ALONG   (CORDIC_ALONG_MAX / 2)
+#define HALF_ACROSS  (CORDIC_ACROSS_MAX / 2)
 #define STEPS        13
 #define ENLARGED_MAX 4
 
 /* atan(2^-i) in 65,536ths of a turn. */
-static const uint16_t __code step_angle[STEPS] = {8192, 4836, 2555, 1297, 651, 326, 163,
-                                                  81,   41,   20,   10,   5,   3};
+static const uint16_t
+    __code step_angle[STEPS] = {8192, 4836, 2555, 1297, 651, 326, 163, 81, 41, 20, 10, 5, 3};
 
 struct cordic_polar cordic_polar;
 
@@ -22,12 +24,12 @@ void cordic_to_polar(int16_t across, int16_t along)
     uint8_t step;
 
     /* A near point is enlarged first: its steps would be lost below the last bit. */
-    while (enlarged < ENLARGED_MAX && x < CORDIC_ALONG_MAX / 2 && y < CORDIC_ACROSS_MAX / 2) { /* rounds: 4 */
+    while (enlarged < ENLARGED_MAX && x < HALF_ALONG && y < HALF_ACROSS) { /* rounds: 4 */
         x = (uint16_t)(x << 1);
         y = (int16_t)(y << 1);
         enlarged++;
     }
-    for (step = 0; step < STEPS; step++) { /* rounds: 13 */
+    for (step = 0; step < STEPS; step++) {       /* rounds: 13 */
         uint16_t x_part = (uint16_t)(x >> step); /* rounds: 12 */
 
         if (y >= 0) {

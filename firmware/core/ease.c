@@ -36,7 +36,8 @@ uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm)
     }
     table_pct = (uint8_t)((uint16_t)(mul_u8(w, table_pct) + 128U) >> 8);
     /* The least brake of a car that seems to stand. */
-    if (table_pct == 0 || closing_smooth.closing_mmps > EASE_STILL_MMPS || opening_mmps > EASE_STILL_MMPS) {
+    if (table_pct == 0 || closing_smooth.closing_mmps > EASE_STILL_MMPS ||
+        opening_mmps > EASE_STILL_MMPS) {
         still_readings = 0;
     } else if (still_readings < EASE_STILL_READINGS) {
         still_readings++;

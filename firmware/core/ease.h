@@ -11,7 +11,8 @@
  *           row: a rolling car would have slowed down and opened the gap by then. So this one
  *           stands, or the one ahead slows down as much, where braking is right as well. From then
  *           on the least brake rises by 1 % a reading up to EASE_HOLD_PCT. It ends when the gap
- *           opens by EASE_OPENING_MMPS, three times the smooth estimator's noise, or the target goes.
+ *           opens by EASE_OPENING_MMPS, three times the smooth estimator's noise, or the target
+ * goes.
  *
  * It assumes a throttle that is cut while the brake is on, and the smooth estimator. State: the
  * readings counted so far and the hold. Portable. */
@@ -33,7 +34,8 @@
 /* A target that was not there before. */
 void ease_restart(void);
 
-/* What is left of table_pct (0..100) for a target at dist_mm with closing_smooth. Once a reading. */
+/* What is left of table_pct (0..100) for a target at dist_mm with closing_smooth. Once a reading.
+ */
 uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm);
 
 #endif

@@ -12,8 +12,8 @@ inline uint16_t mul_u8(uint8_t a, uint8_t b)
     return (uint16_t)(a * b);
 }
 
-/* (a * b) >> 16, from the bytes of a and b: the part of a that b / 65536 says, rounded down. Four `mul ab`,
- * about 50 mc, whatever the values; always inline. */
+/* (a * b) >> 16, from the bytes of a and b: the part of a that b / 65536 says, rounded down. Four
+ * `mul ab`, about 50 mc, whatever the values; always inline. */
 inline uint16_t mul_hi_bytes(uint8_t a_high, uint8_t a_low, uint8_t b_high, uint8_t b_low)
 {
     uint16_t sum, result;

@@ -39,8 +39,9 @@ int16_t fmcw_closing_dkmh(int32_t up_hz, int32_t down_hz)
 {
     int32_t diff_hz = down_hz - up_hz;
 
-    if (diff_hz < 0)
-        return (int16_t) - (int16_t)dkmh_from_hz((uint32_t)-diff_hz);
+    if (diff_hz < 0) {
+        return (int16_t)-(int16_t)dkmh_from_hz((uint32_t)-diff_hz);
+    }
     return (int16_t)dkmh_from_hz((uint32_t)diff_hz);
 }
 
@@ -48,7 +49,8 @@ bool fmcw_sign_is_open(int32_t up_hz, int32_t down_hz, uint16_t own_dkmh)
 {
     int32_t diff_hz = up_hz + down_hz;
 
-    if (diff_hz >= FMCW_DIFF_END_HZ || up_hz >= down_hz)
+    if (diff_hz >= FMCW_DIFF_END_HZ || up_hz >= down_hz) {
         return false;
+    }
     return dkmh_from_hz((uint32_t)diff_hz) <= (uint16_t)(own_dkmh + BACKWARDS_DKMH);
 }

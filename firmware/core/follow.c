@@ -25,11 +25,13 @@ static uint8_t first_cell(int16_t value, const int16_t __code *threshold, uint8_
 {
     uint8_t cell = 0;
 
-    while (cell < thresholds && value > threshold[cell]) /* rounds: 4 */
+    while (cell < thresholds && value > threshold[cell]) { /* rounds: 4 */
         cell++;
+    }
     last_cell = cell;
-    if (cell < thresholds && value == threshold[cell])
+    if (cell < thresholds && value == threshold[cell]) {
         last_cell++;
+    }
     return cell;
 }
 #define FIRST_CELL(value, threshold)                                                               \
@@ -49,19 +51,23 @@ void follow_look_up(void)
     uint8_t gap, closing, change, level;
 
     /* The mean of a row of maxima is the middle of its ends. */
-    for (gap = gap_first; gap <= gap_last; gap++) { /* rounds: 2 */
+    for (gap = gap_first; gap <= gap_last; gap++) {                         /* rounds: 2 */
         for (closing = closing_first; closing <= closing_last; closing++) { /* rounds: 2 */
-            for (change = change_first; change <= change_last; change++) { /* rounds: 2 */
+            for (change = change_first; change <= change_last; change++) {  /* rounds: 2 */
                 level = lut_at3(gap, closing, change);
-                if (level < command_least)
+                if (level < command_least) {
                     command_least = level;
-                if (level > command_most)
+                }
+                if (level > command_most) {
                     command_most = level;
+                }
                 level = lut2_at3(gap, closing, change);
-                if (level < change_least)
+                if (level < change_least) {
                     change_least = level;
-                if (level > change_most)
+                }
+                if (level > change_most) {
                     change_most = level;
+                }
             }
         }
     }
@@ -73,12 +79,13 @@ static void set_outputs(void)
 {
     follow.brake_pct = 0;
     follow.throttle_us = FOLLOW_THROTTLE_CLOSED_US;
-    if (follow.command_x2 < 0)
+    if (follow.command_x2 < 0) {
         follow.brake_pct = follow.command_x2 == -2 ? 100 : 50;
-    else if (follow.command_x2 > 0)
+    } else if (follow.command_x2 > 0) {
         follow.throttle_us = follow.command_x2 == 2
                                  ? FOLLOW_THROTTLE_FULL_US
                                  : (FOLLOW_THROTTLE_CLOSED_US + FOLLOW_THROTTLE_FULL_US) / 2;
+    }
 }
 
 void follow_init(void)
@@ -98,8 +105,9 @@ bool follow_read(void)
     uint16_t lead_mmps = frame_u16(4);
 
     if (gap_mm > FOLLOW_GAP_MAX_MM || own_mmps > FOLLOW_SPEED_MAX_MMPS ||
-        lead_mmps > FOLLOW_SPEED_MAX_MMPS || frame_body[6] > 1)
+        lead_mmps > FOLLOW_SPEED_MAX_MMPS || frame_body[6] > 1) {
         return false;
+    }
     follow.gap_mm = gap_mm;
     follow.own_mmps = own_mmps;
     follow.lead_mmps = lead_mmps;
@@ -114,11 +122,13 @@ void follow_decide(void)
     follow_look_up();
     /* Not as `= change_x2 == 2`: SDCC 4.2.0 loses the store of that one (small model). */
     follow.asks_for_lane = false;
-    if (follow.change_x2 == 2)
+    if (follow.change_x2 == 2) {
         follow.asks_for_lane = true;
+    }
 #if FOLLOW_YIELDS
-    if (follow.change_x2 != 0 && follow.lane_is_taken)
+    if (follow.change_x2 != 0 && follow.lane_is_taken) {
         follow.command_x2 = -2;
+    }
 #endif
     set_outputs();
 }
@@ -128,6 +138,7 @@ void follow_lose(uint8_t fault_pct)
     follow.state = FOLLOW_FAULT;
     follow.asks_for_lane = false;
     follow.throttle_us = FOLLOW_THROTTLE_CLOSED_US;
-    if (follow.brake_pct < fault_pct)
+    if (follow.brake_pct < fault_pct) {
         follow.brake_pct = fault_pct;
+    }
 }

@@ -13,8 +13,8 @@ __idata uint8_t frame_body[FRAME_BODY_MAX];
 
 static __idata uint8_t start_and_kind; /* what the start byte must be, but for its count */
 static __idata uint8_t body_bytes;     /* payload and check sum */
-static uint8_t filled;         /* body bytes so far */
-static uint8_t group_left;     /* bytes that the group still brings; 0: its top bits come next */
+static uint8_t filled;                 /* body bytes so far */
+static uint8_t group_left; /* bytes that the group still brings; 0: its top bits come next */
 static uint8_t top_bits;
 static __idata uint8_t count;      /* of the frame coming in */
 static __idata uint8_t count_last; /* of the last good one */
@@ -33,8 +33,9 @@ void frame_init(uint8_t kind, uint8_t payload_bytes)
 
 void frame_refuse(void)
 {
-    if (bad != UINT16_MAX)
+    if (bad != UINT16_MAX) {
         bad++;
+    }
 }
 
 static uint8_t begin(uint8_t byte)
@@ -48,32 +49,37 @@ static uint8_t begin(uint8_t byte)
     crc_high = (uint8_t)(CRC16_START >> 8);
     crc_low = (uint8_t)CRC16_START;
     CRC16_ADD(crc_high, crc_low, byte);
-    if (!cut_short)
+    if (!cut_short) {
         return FRAME_NONE;
+    }
     frame_refuse();
     return FRAME_BAD;
 }
 
 uint8_t frame_push(uint8_t byte)
 {
-    if (byte & START_BIT)
+    if (byte & START_BIT) {
         return begin(byte);
-    if (!inside)
+    }
+    if (!inside) {
         return FRAME_NONE;
+    }
     if (group_left == 0) {
         top_bits = byte;
         group_left = GROUP_BYTES;
         return FRAME_NONE;
     }
     group_left--;
-    if (top_bits & 1)
+    if (top_bits & 1) {
         byte |= START_BIT;
+    }
     top_bits >>= 1;
     frame_body[filled] = byte;
     filled++;
     CRC16_ADD(crc_high, crc_low, byte);
-    if (filled != body_bytes)
+    if (filled != body_bytes) {
         return FRAME_NONE;
+    }
 
     inside = false;
     /* Its own sum taken into it makes a sum zero; top bits are left over only when they are wrong.
@@ -100,7 +106,8 @@ int32_t frame_i24(uint8_t at)
 {
     uint32_t value = (uint32_t)frame_u16(at) << 8 | frame_body[(uint8_t)(at + 2)];
 
-    if (value & 0x800000UL)
+    if (value & 0x800000UL) {
         value |= 0xFF000000UL;
+    }
     return (int32_t)value;
 }

@@ -27,16 +27,18 @@ struct gap gap;
 
 static uint8_t lead_state(void)
 {
-    if (gap.lead_cmps <= LEAD_STANDS_CMPS)
+    if (gap.lead_cmps <= LEAD_STANDS_CMPS) {
         return GAP_LEAD_STANDS;
+    }
     return gap.lead_cmps2 >= LEAD_BRAKES_CMPS2 ? GAP_LEAD_DRIVES : GAP_LEAD_BRAKES;
 }
 
 /* The speed that D and h are made of. */
 static uint16_t speed_cmps(void)
 {
-    if (gap.lead != GAP_LEAD_DRIVES)
+    if (gap.lead != GAP_LEAD_DRIVES) {
         return gap.own_cmps;
+    }
     return gap.own_cmps > gap.lead_cmps ? (uint16_t)(gap.own_cmps - gap.lead_cmps) : 0;
 }
 
@@ -47,8 +49,9 @@ static uint16_t over_2a_cm(uint16_t a, uint16_t b)
     uint32_t product = mul_u16(a, b);
     uint16_t quotient = mul_hi_u16((uint16_t)(product >> 9), 27962U);
 
-    if ((uint16_t)((uint16_t)product - (uint16_t)(quotient * 1200U)) >= 1200U)
+    if ((uint16_t)((uint16_t)product - (uint16_t)(quotient * 1200U)) >= 1200U) {
         quotient++;
+    }
     return quotient;
 }
 
@@ -58,14 +61,16 @@ uint16_t gap_safe_cm(void)
     uint16_t safe_cm = (uint16_t)(mul_hi_u16((uint16_t)(v_cmps * 9U), 52429U) >> 3); /* / 10 */
     uint16_t braking_cm;
 
-    if (gap.lead != GAP_LEAD_BRAKES)
+    if (gap.lead != GAP_LEAD_BRAKES) {
         return (uint16_t)(safe_cm + over_2a_cm(v_cmps, v_cmps) + STANDING_CM);
+    }
 
-    if (v_cmps >= gap.lead_cmps)
+    if (v_cmps >= gap.lead_cmps) {
         return (uint16_t)(safe_cm +
                           over_2a_cm((uint16_t)(v_cmps - gap.lead_cmps),
                                      (uint16_t)(v_cmps + gap.lead_cmps)) +
                           STANDING_CM);
+    }
     braking_cm = over_2a_cm((uint16_t)(gap.lead_cmps - v_cmps), (uint16_t)(v_cmps + gap.lead_cmps));
     return (uint16_t)((safe_cm > braking_cm ? safe_cm - braking_cm : 0) + STANDING_CM);
 }
@@ -82,8 +87,9 @@ static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
 
     do {
         rest = (uint16_t)(rest << 1);
-        if (bits & 0x8000U)
+        if (bits & 0x8000U) {
             rest |= 1;
+        }
         bits = (uint16_t)(bits << 1);
         if (rest >= h_cs) {
             rest -= h_cs;
@@ -95,8 +101,9 @@ static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
 
 static int16_t limited(int16_t value, int16_t low, int16_t high)
 {
-    if (value < low)
+    if (value < low) {
         return low;
+    }
     return value > high ? high : value;
 }
 
@@ -109,12 +116,14 @@ int16_t gap_lq_cmps2(void)
     /* 77 / 256 is the weight, 0.3. */
     int16_t pull = (int16_t)(mul_u8((uint8_t)(size_cm >> 8), 77) + (uint8_t)(fine >> 8));
 
-    if (error_cm < 0)
-        pull = (int16_t) - (pull + ((uint8_t)fine != 0));
-    if (gap.own_cmps >= gap.lead_cmps)
+    if (error_cm < 0) {
+        pull = (int16_t)-(pull + ((uint8_t)fine != 0));
+    }
+    if (gap.own_cmps >= gap.lead_cmps) {
         pull += (int16_t)over_h_cmps2((uint16_t)(gap.own_cmps - gap.lead_cmps), h_cs);
-    else
+    } else {
         pull -= (int16_t)over_h_cmps2((uint16_t)(gap.lead_cmps - gap.own_cmps), h_cs);
+    }
     return limited((int16_t)-pull, -GAP_ACCEL_MAX_CMPS2, GAP_ACCEL_MAX_CMPS2);
 }
 
@@ -162,8 +171,9 @@ bool gap_read(void)
     int16_t lead_cmps2 = (int16_t)frame_u16(6);
 
     if (gap_cm > GAP_MAX_CM || own_cmps > GAP_SPEED_MAX_CMPS || lead_cmps > GAP_SPEED_MAX_CMPS ||
-        lead_cmps2 > GAP_LEAD_MAX_CMPS2 || lead_cmps2 < -GAP_LEAD_MAX_CMPS2)
+        lead_cmps2 > GAP_LEAD_MAX_CMPS2 || lead_cmps2 < -GAP_LEAD_MAX_CMPS2) {
         return false;
+    }
     gap.gap_cm = gap_cm;
     gap.own_cmps = own_cmps;
     gap.lead_cmps = lead_cmps;
@@ -180,14 +190,17 @@ void gap_decide(void)
     gap.lead = lead_state();
     gap.safe_cm = gap_safe_cm();
     accel_cmps2 = 0;
-    if (gap.gap_cm != GAP_MAX_CM)
+    if (gap.gap_cm != GAP_MAX_CM) {
         accel_cmps2 = (int16_t)(gap_lq_cmps2() + gap_fuzzy_cmps2());
+    }
     /* Half of it, towards 0. */
-    if (accel_cmps2 < 0)
+    if (accel_cmps2 < 0) {
         accel_cmps2++;
+    }
     accel_cmps2 >>= 1;
-    if (gap.own_cmps < GAP_CREEP_CMPS && accel_cmps2 < 0 && accel_cmps2 > -GAP_HOLD_CMPS2)
+    if (gap.own_cmps < GAP_CREEP_CMPS && accel_cmps2 < 0 && accel_cmps2 > -GAP_HOLD_CMPS2) {
         accel_cmps2 = -GAP_HOLD_CMPS2;
+    }
     gap.accel_cmps2 = accel_cmps2;
     set_outputs();
 }
@@ -196,7 +209,8 @@ void gap_lose(uint8_t fault_pct)
 {
     gap.state = GAP_FAULT;
     gap.throttle_us = GAP_THROTTLE_CLOSED_US;
-    if (gap.brake_pct < fault_pct)
+    if (gap.brake_pct < fault_pct) {
         gap.brake_pct = fault_pct;
-    gap.accel_cmps2 = (int16_t) - (int16_t)mul_u8(gap.brake_pct, GAP_ACCEL_MAX_CMPS2 / 100);
+    }
+    gap.accel_cmps2 = (int16_t)-(int16_t)mul_u8(gap.brake_pct, GAP_ACCEL_MAX_CMPS2 / 100);
 }

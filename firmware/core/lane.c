@@ -16,8 +16,9 @@ uint16_t lane_sine_q16(uint16_t angle)
     uint8_t beyond = (uint8_t)angle;
     uint16_t sine = sine_q16[at];
 
-    if (beyond != 0)
+    if (beyond != 0) {
         sine += mul_hi_u16((uint16_t)(sine_q16[(uint8_t)(at + 1)] - sine), (uint16_t)(beyond << 8));
+    }
     return sine;
 }
 
@@ -27,22 +28,26 @@ bool lane_is_own(uint16_t range_cm, int16_t azimuth, int16_t curvature_upm)
     uint32_t arc;
     int16_t offset_cm;
 
-    if (range_cm > LANE_RANGE_MAX_CM)
+    if (range_cm > LANE_RANGE_MAX_CM) {
         return false;
+    }
     /* s / r0 in radians is arc * 1e-8; in units of 2^10 it fits 16 bits up to 0.67 rad. */
     arc = mul_u16(range_cm, curvature) >> 10;
-    if (arc > UINT16_MAX)
+    if (arc > UINT16_MAX) {
         return false;
+    }
 
     offset_cm =
         (int16_t)mul_hi_u16(range_cm, lane_sine_q16((uint16_t)(azimuth < 0 ? -azimuth : azimuth)));
-    if ((azimuth < 0) != (curvature_upm < 0))
+    if ((azimuth < 0) != (curvature_upm < 0)) {
         offset_cm = (int16_t)-offset_cm;
+    }
     /* 1e-8 * 2^10 * 65536 is 43980.5 / 65536. */
     offset_cm -= (int16_t)(mul_hi_u16(range_cm, mul_hi_u16((uint16_t)arc, 43980U)) >> 1);
     /* d^2 / 8 is 17578 cm2; times 1e-8 it is 11.5 / 65536: 6 cm in the tightest bend. */
     offset_cm += (int16_t)mul_hi_u16(curvature, 12U);
-    if (offset_cm < 0)
+    if (offset_cm < 0) {
         offset_cm = (int16_t)-offset_cm;
+    }
     return offset_cm <= LANE_WIDTH_CM / 2;
 }

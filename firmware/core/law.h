@@ -29,9 +29,9 @@ enum law_target {
 #define LAW_ENTER_CS 6U
 
 /* One control step: percent, 0..100, for a target `dist_mm` away (enum law_target) that closes with
- * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked, and brakes from the
- * second reading of a target on: one alone may be a stray echo or something that only passes (but see
- * law_tuned.h). */
+ * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked, and brakes from
+ * the second reading of a target on: one alone may be a stray echo or something that only passes
+ * (but see law_tuned.h). */
 uint8_t law_step(uint8_t target, uint16_t dist_mm);
 
 /* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past. */

@@ -17,7 +17,8 @@ static uint8_t first_sight(uint16_t dist_mm)
     if (came_mm > LAW_TUNED_FIRST_MM) {
         return 0;
     }
-    brake.col = cell_col((uint16_t)(came_mm << 4), 0); /* in 1/16 s; it was LAW_ENTER_CS, a little less */
+    brake.col =
+        cell_col((uint16_t)(came_mm << 4), 0); /* in 1/16 s; it was LAW_ENTER_CS, a little less */
     brake.row = cell_row(dist_mm);
     pct = lut_at(brake.row, brake.col);
     return pct < LAW_TUNED_FIRST_PCT ? pct : LAW_TUNED_FIRST_PCT;

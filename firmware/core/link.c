@@ -19,8 +19,9 @@ bool link_good(uint16_t now_ms)
     (void)link_check(now_ms);
     if (link != LINK_UP) {
         good_row++;
-        if (good_row < LINK_GOOD_FRAMES)
+        if (good_row < LINK_GOOD_FRAMES) {
             return false;
+        }
         link = LINK_UP;
     }
     since_ms = now_ms;

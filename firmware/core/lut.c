@@ -37,8 +37,9 @@ uint8_t lut_at(uint8_t row, uint8_t col)
     uint16_t run;
 
 #if LUT_FIRST_ROW > 0
-    if (row < LUT_FIRST_ROW)
+    if (row < LUT_FIRST_ROW) {
         row = LUT_FIRST_ROW;
+    }
     row -= LUT_FIRST_ROW;
 #endif
     block = (uint8_t)(row >> 3);
@@ -91,8 +92,9 @@ uint8_t lut_at(uint8_t row, uint8_t col)
 /* From `low` to `high`, rounded down. */
 static uint8_t between(uint8_t low, uint8_t high, uint8_t part_q8)
 {
-    if (high >= low)
+    if (high >= low) {
         return (uint8_t)(low + (uint8_t)(mul_u8((uint8_t)(high - low), part_q8) >> 8));
+    }
     return (uint8_t)(low - (uint8_t)((mul_u8((uint8_t)(low - high), part_q8) + 255U) >> 8));
 }
 
@@ -114,15 +116,17 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
     uint8_t high = (uint8_t)(crc >> 8), low = (uint8_t)crc;
 
 #if LUT_OUTPUTS == 2
-    if (offset >= sizeof lut_out1)
+    if (offset >= sizeof lut_out1) {
         byte = (const uint8_t __code *)lut_out2 + (uint16_t)(offset - sizeof lut_out1);
+    }
 #endif
     do {
         CRC16_ADD(high, low, *byte);
         byte++;
 #if LUT_OUTPUTS == 2
-        if (byte == (const uint8_t __code *)lut_out1 + sizeof lut_out1)
+        if (byte == (const uint8_t __code *)lut_out1 + sizeof lut_out1) {
             byte = (const uint8_t __code *)lut_out2;
+        }
 #endif
     } while (--count != 0); /* rounds: 16, a slice of selftest.c */
     return (uint16_t)((uint16_t)(high << 8) | low);

@@ -1,5 +1,6 @@
 /* The controller's table, plain or packed, behind one function. Its data comes from the header that
- * fistab writes (lut_table.h); only lut.c defines LUT_DATA and so holds it. Indices are not checked. */
+ * fistab writes (lut_table.h); only lut.c defines LUT_DATA and so holds it. Indices are not
+ * checked. */
 #ifndef FUZZY51_LUT_H
 #define FUZZY51_LUT_H
 
@@ -18,8 +19,8 @@ uint8_t lut2_at3(uint8_t first, uint8_t second, uint8_t third);
 
 /* The cell at `row` (input 1, 0..LUT_IN1_CELLS-1) and `col` (input 2, 0..LUT_IN2_CELLS-1; 0 for a
  * table of one input). Plain 24 mc (25 with 256 columns); packed 110 mc,
- * the same for every cell within one, and 117 where a table has more than 256 blocks. The call, 9 mc,
- * is not counted. All as tests/lut measures it. */
+ * the same for every cell within one, and 117 where a table has more than 256 blocks. The call, 9
+ * mc, is not counted. All as tests/lut measures it. */
 uint8_t lut_at(uint8_t row, uint8_t col);
 
 #endif

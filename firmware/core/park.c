@@ -28,10 +28,12 @@ void park_init(void)
 
 static int16_t limited(int32_t theta)
 {
-    if (theta > PARK_THETA_MAX)
+    if (theta > PARK_THETA_MAX) {
         return PARK_THETA_MAX;
-    if (theta < -PARK_THETA_MAX)
+    }
+    if (theta < -PARK_THETA_MAX) {
         return -PARK_THETA_MAX;
+    }
     return (int16_t)theta;
 }
 
@@ -44,11 +46,13 @@ static uint8_t weight_at(uint16_t dist_mm)
 {
     uint16_t cell;
 
-    if (dist_mm < (uint16_t)LUT_IN1_MIN_MILLI)
+    if (dist_mm < (uint16_t)LUT_IN1_MIN_MILLI) {
         return lut_at(0, 0);
+    }
     dist_mm -= (uint16_t)LUT_IN1_MIN_MILLI;
-    if (dist_mm >= (uint16_t)LUT_IN1_SPAN_MILLI)
+    if (dist_mm >= (uint16_t)LUT_IN1_SPAN_MILLI) {
         return lut_at((uint8_t)(LUT_IN1_CELLS - 1), 0);
+    }
     cell = mul_hi_u16(dist_mm, LUT_IN1_MUL) >> LUT_IN1_SHIFT;
     return lut_at((uint8_t)cell, 0);
 }
@@ -58,8 +62,9 @@ static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
     int16_t more = far_law - near_law; /* 16384 at most */
     int16_t part;
 
-    if (weight == 255)
+    if (weight == 255) {
         return far_law;
+    }
     /* 255 means all of it: what counts is weight + weight / 128, in 256ths. */
     part =
         (int16_t)mul_hi_u16(magnitude(more), (uint16_t)((uint16_t)(weight + (weight >> 7)) << 8));
@@ -89,8 +94,9 @@ bool park_read(void)
     int16_t x = (int16_t)frame_u16(0);
     int16_t y = (int16_t)frame_u16(2);
 
-    if (x < -PARK_X_MAX || x > PARK_X_MAX || y < PARK_Y_MIN || y > PARK_Y_MAX)
+    if (x < -PARK_X_MAX || x > PARK_X_MAX || y < PARK_Y_MIN || y > PARK_Y_MAX) {
         return false;
+    }
     park.x = x;
     park.y = y;
     park.heading = frame_u16(4);
@@ -101,8 +107,9 @@ void park_decide(void)
 {
     uint16_t off_us;
 
-    if (park.state == PARK_ARRIVED)
+    if (park.state == PARK_ARRIVED) {
         return;
+    }
     if (park.y <= 0) {
         park.state = PARK_ARRIVED;
         return;
@@ -116,8 +123,9 @@ void park_decide(void)
 
 void park_lose(void)
 {
-    if (park.state == PARK_DRIVING)
+    if (park.state == PARK_DRIVING) {
         park.state = PARK_FAULT;
+    }
 }
 
 bool park_must_stand(void)

@@ -32,18 +32,21 @@ void radar_init(void)
 
 uint8_t radar_row(int16_t closing_dkmh)
 {
-    if (closing_dkmh <= 0)
+    if (closing_dkmh <= 0) {
         return 0;
-    if (closing_dkmh >= CLOSING_MAX)
+    }
+    if (closing_dkmh >= CLOSING_MAX) {
         return 12;
+    }
     /* (V + 25) / 50: 1311 / 65536 is 1/50 and 14 / 65536 / 50 more, exact below 4681. */
     return (uint8_t)mul_hi_u16((uint16_t)(closing_dkmh + 25), 1311U);
 }
 
 uint8_t radar_col(uint16_t range_cm)
 {
-    if (range_cm >= GATE_MAX_CM)
+    if (range_cm >= GATE_MAX_CM) {
         return 12;
+    }
     /* (3 S + 1250) / 2500: 26844 / 2^26 is 1/2500 and a little more, exact below 59,000. */
     return (uint8_t)(mul_hi_u16((uint16_t)(range_cm * 3U + 1250U), 26844U) >> 10);
 }
@@ -58,15 +61,18 @@ bool radar_read(void)
     uint8_t flags = frame_body[12];
 
     if ((flags & (uint8_t)~FLAGS_KNOWN) != 0 || own_dkmh > SAFE_SPEED_MAX_DKMH ||
-        curvature_upm == INT16_MIN)
+        curvature_upm == INT16_MIN) {
         return false;
+    }
     if (flags & RADAR_TARGET) {
         if (azimuth < -LANE_AZIMUTH_MAX || azimuth > LANE_AZIMUTH_MAX ||
-            !fmcw_pair_is_possible(up_hz, down_hz))
+            !fmcw_pair_is_possible(up_hz, down_hz)) {
             return false;
+        }
         if (!(flags & RADAR_SIGNED) &&
-            (up_hz < 0 || down_hz < 0 || fmcw_sign_is_open(up_hz, down_hz, own_dkmh)))
+            (up_hz < 0 || down_hz < 0 || fmcw_sign_is_open(up_hz, down_hz, own_dkmh))) {
             return false;
+        }
         radar.range_cm = fmcw_range_cm(up_hz, down_hz);
         radar.closing_dkmh = fmcw_closing_dkmh(up_hz, down_hz);
         radar.azimuth = azimuth;
@@ -91,8 +97,9 @@ static void brake(void)
     radar.level = lut_at(radar.row, radar.col);
     /* 0.8 m/s2 and 0.03 m/s2 a level, of the 8 m/s2 that 100 % asks for. */
     radar.brake_pct = (uint8_t)(BRAKE_COAST + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
-    if (radar.brake_pct > BRAKE_FULL_PCT)
+    if (radar.brake_pct > BRAKE_FULL_PCT) {
         radar.brake_pct = BRAKE_FULL_PCT;
+    }
 }
 
 void radar_decide(void)
@@ -103,24 +110,27 @@ void radar_decide(void)
     if (!(radar.flags & RADAR_TARGET) ||
         !lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
         /* A target can be out of sight for a moment, behind a bump or at the edge of the lane. */
-        if (radar.state == RADAR_DRIVER || ++away_row >= AWAY_FRAMES)
+        if (radar.state == RADAR_DRIVER || ++away_row >= AWAY_FRAMES) {
             let_go();
+        }
         return;
     }
     away_row = 0;
     gate_cm = radar.safe_cm < GATE_MAX_CM ? radar.safe_cm : GATE_MAX_CM;
-    if (radar.closing_dkmh > 0 && (radar.state == RADAR_BRAKING || radar.range_cm < gate_cm))
+    if (radar.closing_dkmh > 0 && (radar.state == RADAR_BRAKING || radar.range_cm < gate_cm)) {
         brake();
-    else
+    } else {
         let_go();
+    }
 }
 
 void radar_lose(uint8_t fault_pct)
 {
     radar.state = RADAR_FAULT;
     away_row = 0;
-    if (radar.brake_pct < fault_pct)
+    if (radar.brake_pct < fault_pct) {
         radar.brake_pct = fault_pct;
+    }
 }
 
 bool radar_cuts_throttle(void)

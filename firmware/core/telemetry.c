@@ -8,13 +8,13 @@ static const uint16_t __code POWERS[] = {10000, 1000, 100, 10, 1};
 #define DECIMAL_END      5U
 #define HEX_DIGITS       4U
 
-static const char __code *rest;      /* of the format; 0: no line */
-static const char __code *text;      /* a value being copied; 0: none */
-static uint8_t value;                /* the next one's index */
-static uint16_t number;              /* what is left of a number being printed */
-static uint8_t power = DECIMAL_END;  /* its next digit's; DECIMAL_END: none */
-static uint8_t hex_digits;           /* still to print */
-static bool is_leading;              /* no digit of it is out yet, so zeros stay out */
+static const char __code *rest;     /* of the format; 0: no line */
+static const char __code *text;     /* a value being copied; 0: none */
+static uint8_t value;               /* the next one's index */
+static uint16_t number;             /* what is left of a number being printed */
+static uint8_t power = DECIMAL_END; /* its next digit's; DECIMAL_END: none */
+static uint8_t hex_digits;          /* still to print */
+static bool is_leading;             /* no digit of it is out yet, so zeros stay out */
 
 bool telemetry_is_busy(void)
 {

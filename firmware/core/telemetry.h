@@ -1,5 +1,5 @@
-/* Lines of text, made one character at a time while they are sent: no line buffer, and no call takes
- * long. Portable; whoever has the UART asks for the next character when it can take one. */
+/* Lines of text, made one character at a time while they are sent: no line buffer, and no call
+ * takes long. Portable; whoever has the UART asks for the next character when it can take one. */
 #ifndef FUZZY51_TELEMETRY_H
 #define FUZZY51_TELEMETRY_H
 

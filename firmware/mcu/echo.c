@@ -1,5 +1,5 @@
-/* Timer 0: the echo's length in machine cycles. The echo itself gates the timer (INT0), and its fall
- * sets IE0, with no interrupt: exact to one count whatever the program does meanwhile. */
+/* Timer 0: the echo's length in machine cycles. The echo itself gates the timer (INT0), and its
+ * fall sets IE0, with no interrupt: exact to one count whatever the program does meanwhile. */
 #include "sfr.h"
 
 /* The sensor asks for 10 us; each turn of the delay takes 2 cycles. */

@@ -2,8 +2,8 @@
 #ifndef FUZZY51_PHASE_H
 #define FUZZY51_PHASE_H
 
-/* From its overflow on the timer runs on, so that a late interrupt lengthens nothing; only while it is
- * stopped to be advanced does it lose time: from `clr` to `setb` below. */
+/* From its overflow on the timer runs on, so that a late interrupt lengthens nothing; only while it
+ * is stopped to be advanced does it lose time: from `clr` to `setb` below. */
 #define PHASE_STOPPED_MC 7U
 
 /* By what the timer is advanced for a phase of so many cycles, up to the next overflow. */

@@ -17,14 +17,14 @@
  * is full; steady levels have two equal phases. By what the timer is advanced for both together: */
 #define BOTH_RELOADS (PHASE_RELOAD(PERIOD_MC) + PHASE_STOPPED_MC)
 
-/* All below belongs to the interrupt, but what starts with new_: that is written by hal_brake_set while
- * new_is_set is 0, and taken when it is 1: by the interrupt that starts a second phase or, in a second
- * phase that has time left, by hal_brake_set. So nothing needs the interrupt disabled, which would
- * move an edge. */
+/* All below belongs to the interrupt, but what starts with new_: that is written by hal_brake_set
+ * while new_is_set is 0, and taken when it is 1: by the interrupt that starts a second phase or, in
+ * a second phase that has time left, by hal_brake_set. So nothing needs the interrupt disabled,
+ * which would move an edge. */
 static volatile uint8_t ticks;
-static volatile __bit level;      /* of the pin from the next interrupt on */
-static volatile uint16_t reload;  /* for the phase that the next interrupt starts */
-static volatile __bit is_second;  /* the next interrupt starts a second phase */
+static volatile __bit level;     /* of the pin from the next interrupt on */
+static volatile uint16_t reload; /* for the phase that the next interrupt starts */
+static volatile __bit is_second; /* the next interrupt starts a second phase */
 static volatile uint16_t first_reload;
 static volatile __bit first_level, second_level;
 static volatile uint16_t new_first_reload;

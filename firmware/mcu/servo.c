@@ -1,6 +1,6 @@
-/* Timer 0: a servo's pulses, two interrupts each 20 ms. They rank with the PWM's and start 1.5 % of its
- * period after one of its edges at rest, and its other edges come at whole percents: so none meets the
- * start of a pulse, nor the end of one of whole tenths of a millisecond. */
+/* Timer 0: a servo's pulses, two interrupts each 20 ms. They rank with the PWM's and start 1.5 % of
+ * its period after one of its edges at rest, and its other edges come at whole percents: so none
+ * meets the start of a pulse, nor the end of one of whole tenths of a millisecond. */
 #include "sfr.h"
 #include "fixed.h"
 #include "hal_head.h"
@@ -78,6 +78,7 @@ void hal_servo_set(uint16_t pulse_us)
     new_gap_low = (uint8_t)reload;
     new_gap_high = (uint8_t)(reload >> 8);
     new_is_set = 1;
-    if (!TR0)
+    if (!TR0) {
         start();
+    }
 }

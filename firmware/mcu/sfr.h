@@ -5,8 +5,8 @@
 #include <8052.h>
 #include "hal.h"
 
-#if !defined(CLK_HZ) || !defined(PIN_PWM) || !defined(PIN_STOP) || !defined(PIN_TRIGGER) ||                \
-    !defined(PIN_LAMP) || !defined(PIN_BUZZER) || !defined(PIN_SERVO) || !defined(PIN_CUT) ||              \
+#if !defined(CLK_HZ) || !defined(PIN_PWM) || !defined(PIN_STOP) || !defined(PIN_TRIGGER) ||        \
+    !defined(PIN_LAMP) || !defined(PIN_BUZZER) || !defined(PIN_SERVO) || !defined(PIN_CUT) ||      \
     !defined(PIN_LANE) || !defined(PIN_ECHO) || !defined(PIN_OVERRIDE)
 #error a board must say CLK_HZ and PIN_PWM, _STOP, _TRIGGER, _LAMP, _BUZZER, _SERVO, _CUT, _LANE, _ECHO, _OVERRIDE
 #endif
@@ -19,15 +19,15 @@
 
 #define CYCLES_PER_S (CLK_HZ / 12U)
 
-__sbit __at(PIN_PWM) pin_pwm;           /* high: brake */
-__sbit __at(PIN_STOP) pin_stop;         /* high: stop */
-__sbit __at(PIN_TRIGGER) pin_trigger;   /* 10 us high: measure */
-__sbit __at(PIN_LAMP) pin_lamp;         /* low: on */
-__sbit __at(PIN_BUZZER) pin_buzzer;     /* low: on */
-__sbit __at(PIN_SERVO) pin_servo;       /* pulses of 1..2 ms, where a controller has a servo */
-__sbit __at(PIN_CUT) pin_cut;           /* high: the driver's throttle is cut, where one does that */
-__sbit __at(PIN_LANE) pin_lane;         /* low: the next lane is asked for */
-__sbit __at(PIN_ECHO) pin_echo;         /* high as long as the sound takes */
+__sbit __at(PIN_PWM) pin_pwm;         /* high: brake */
+__sbit __at(PIN_STOP) pin_stop;       /* high: stop */
+__sbit __at(PIN_TRIGGER) pin_trigger; /* 10 us high: measure */
+__sbit __at(PIN_LAMP) pin_lamp;       /* low: on */
+__sbit __at(PIN_BUZZER) pin_buzzer;   /* low: on */
+__sbit __at(PIN_SERVO) pin_servo;     /* pulses of 1..2 ms, where a controller has a servo */
+__sbit __at(PIN_CUT) pin_cut;         /* high: the driver's throttle is cut, where one does that */
+__sbit __at(PIN_LANE) pin_lane;       /* low: the next lane is asked for */
+__sbit __at(PIN_ECHO) pin_echo;       /* high as long as the sound takes */
 __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 
 /* The parts of hal_init, each in its file. */

@@ -1,8 +1,8 @@
 /* From reset to main: safe pins, reset cause, RAM and stack. */
 #include "sfr.h"
 
-/* RAM keeps its bytes through a reset, so the signature tells a restart from power coming up. SDCC's
- * start-up clears all RAM, but after it has called _sdcc_external_startup. */
+/* RAM keeps its bytes through a reset, so the signature tells a restart from power coming up.
+ * SDCC's start-up clears all RAM, but after it has called _sdcc_external_startup. */
 #define SIGNATURE_1 0x51
 #define SIGNATURE_2 0xC3
 #define SIGNATURE_3 0x2E
@@ -11,7 +11,7 @@ static volatile __idata uint8_t signature[3];
 /* Two general flags of PCON take the finding over the clearing of RAM; reset clears them. */
 #define CAUSE_SHIFT 2U
 #define CAUSE_MASK  (3U << CAUSE_SHIFT) /* GF1, GF0 */
-#define POWER_OFF   0x10U               /* POF: set by power coming up, cleared by us; 0 where there is none */
+#define POWER_OFF   0x10U /* POF: set by power coming up, cleared by us; 0 where there is none */
 
 #define STACK_PAINT 0xAA
 #define RAM_TOP     0xFFU
@@ -74,7 +74,8 @@ static bool test_ram(void)
 
 static void paint_stack(void)
 {
-    uint8_t __idata *byte = (uint8_t __idata *)(uint8_t)(SP + 8); /* the calls below need some of it */
+    uint8_t __idata *byte =
+        (uint8_t __idata *)(uint8_t)(SP + 8); /* the calls below need some of it */
 
     do {
         *byte = STACK_PAINT;

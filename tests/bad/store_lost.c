@@ -11,16 +11,17 @@ unsigned char level;
 
 void set(void)
 {
-    lamp.is_on = level > 2; /* lost */
+    lamp.is_on = level > 2;  /* lost */
     is_dark[2] = level == 1; /* lost */
 }
 
 void set_all_the_same(void)
 {
-    if (level > 2)
+    if (level > 2) {
         lamp.is_on = true;
-    else
+    } else {
         lamp.is_on = false;
+    }
     is_dark[2] = !(level != 1);
 }
 

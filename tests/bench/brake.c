@@ -1,7 +1,7 @@
-/* Times the brake's control step as it ships, from the end of an echo to the duty set: apps/brake.c but
- * for its main. A drive of chance, with targets of up to 35 m/s either way, jumps,
- * clear roads, missing, stuck and stray echoes, the dead zone, longer pauses and the override; what
- * never came of states and faults are the misses. */
+/* Times the brake's control step as it ships, from the end of an echo to the duty set: apps/brake.c
+ * but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps, clear roads,
+ * missing, stuck and stray echoes, the dead zone, longer pauses and the override; what never came
+ * of states and faults are the misses. */
 #include <8052.h>
 #include "step.h"
 #include "hal.h"
@@ -52,7 +52,10 @@ static void drive(void)
     if (what < 16) { /* another one, or the same one somewhere else */
         place_mm = (uint16_t)((uint16_t)(chance() << 8 | chance()) % 6100U);
         step_mm = (int16_t)chance();
-        step_mm = what < 4 ? (int16_t)(step_mm << 3) : what < 8 ? (int16_t)-step_mm : what < 12 ? step_mm : 0;
+        step_mm = what < 4    ? (int16_t)(step_mm << 3)
+                  : what < 8  ? (int16_t)-step_mm
+                  : what < 12 ? step_mm
+                              : 0;
     } else if (what < 24) {
         step_mm = (int16_t)(step_mm >> 2);
     } else if (what < 28) { /* a stray reading */
@@ -132,5 +135,6 @@ static uint8_t zeros(uint8_t due, uint8_t seen)
 
 uint16_t bench_misses(void)
 {
-    return zeros((uint8_t)((2U << BRAKE_FAULT_LOST) - 1U), faults_seen) + zeros(STATES_DUE, states_seen);
+    return zeros((uint8_t)((2U << BRAKE_FAULT_LOST) - 1U), faults_seen) +
+           zeros(STATES_DUE, states_seen);
 }

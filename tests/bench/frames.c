@@ -9,14 +9,16 @@ static __idata uint16_t refused;
 
 uint16_t bench_step(uint16_t n)
 {
-    if (n == 0)
+    if (n == 0) {
         app_init();
+    }
     bench_payload(n);
     BENCH_START();
-    if (app_read())
+    if (app_read()) {
         app_decide();
-    else
+    } else {
         refused++;
+    }
     return BENCH_STOP();
 }
 

@@ -1,5 +1,6 @@
 /* Frames of the payloads of tests/bench/APP.c, as the sensor head sends them:
- *     line KIND PAYLOAD_BYTES FRAMES       on the host; writes FRAMES of them, taken from all over */
+ *     line KIND PAYLOAD_BYTES FRAMES       on the host; writes FRAMES of them, taken from all over
+ */
 #include <stdio.h>
 #include <stdlib.h>
 #include "frames.h"
@@ -20,7 +21,9 @@ int main(int count, char *words[])
     frames = atol(words[3]);
     for (long i = 0; i < frames; i++) {
         bench_payload((uint16_t)(i * bench_steps / frames));
-        fwrite(line, 1, head_encode(atoi(words[1]), (int)(i % 16), frame_body, atoi(words[2]), line), stdout);
+        fwrite(line, 1,
+               head_encode(atoi(words[1]), (int)(i % 16), frame_body, atoi(words[2]), line),
+               stdout);
     }
     return 0;
 }

@@ -27,8 +27,9 @@ void bench_payload(uint16_t n)
 
     n /= RANGES;
     speed_hz = ((int32_t)(n % SPEEDS) - 2) * 713L;
-    if (speed_hz < 0 && range_hz + speed_hz < 0)
+    if (speed_hz < 0 && range_hz + speed_hz < 0) {
         speed_hz = 0;
+    }
     put_hz(0, range_hz - speed_hz);
     put_hz(3, range_hz + speed_hz);
     n /= SPEEDS;

@@ -15,10 +15,12 @@ static void print_number(uint16_t number)
 {
     uint16_t unit = 10000;
 
-    while (unit > 1 && number < unit)
+    while (unit > 1 && number < unit) {
         unit /= 10;
-    for (; unit > 0; unit /= 10)
+    }
+    for (; unit > 0; unit /= 10) {
         print((char)('0' + number / unit % 10));
+    }
     print(' ');
 }
 
@@ -31,10 +33,12 @@ void main(void)
     for (n = 0; n < bench_steps; n++) {
         uint16_t taken = bench_step(n);
 
-        if (taken < least)
+        if (taken < least) {
             least = taken;
-        if (taken > most)
+        }
+        if (taken > most) {
             most = taken;
+        }
     }
     print('\n');
     print_number(least);

@@ -17,8 +17,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void demand(bool holds, const char *what)
 {
-    if (holds)
+    if (holds) {
         return;
+    }
     printf("fuzz_fis: %s\n", what);
     abort();
 }
@@ -39,8 +40,9 @@ static void evaluate(const struct fis *fis, const struct infer_options *options)
     struct engine *engine = engine_create(fis, options);
     double x[FIS_VARIABLES_MAX], y[FIS_VARIABLES_MAX], again[FIS_VARIABLES_MAX];
 
-    if (engine == NULL)
+    if (engine == NULL) {
         return;
+    }
     for (int point = 0; point < 12; point++) {
         coordinates(fis, point, x);
         engine_eval(engine, x, y);
@@ -50,9 +52,10 @@ static void evaluate(const struct fis *fis, const struct infer_options *options)
                        (y[o] >= fis->output[o].min && y[o] <= fis->output[o].max),
                    "an output is outside its range");
         }
-        for (size_t r = 0; r < fis->rules; r++)
+        for (size_t r = 0; r < fis->rules; r++) {
             demand(engine_strength(engine, r) >= 0 && engine_strength(engine, r) <= 1,
                    "a strength is not 0..1");
+        }
     }
     coordinates(fis, 0, x);
     engine_eval(engine, x, y);
@@ -60,8 +63,9 @@ static void evaluate(const struct fis *fis, const struct infer_options *options)
     engine_eval(engine, x, again);
     coordinates(fis, 0, x);
     engine_eval(engine, x, again);
-    for (size_t o = 0; o < fis->outputs; o++)
+    for (size_t o = 0; o < fis->outputs; o++) {
         demand(y[o] == again[o], "a point has two answers");
+    }
     engine_free(engine);
 }
 
@@ -78,15 +82,17 @@ static void tabulate(const struct fis *fis)
     size_t length;
     FILE *out;
 
-    if (table_make(fis, &options, &table) != EXIT_FINE)
+    if (table_make(fis, &options, &table) != EXIT_FINE) {
         return;
+    }
     check_monotone(&table, &law, &findings);
     for (size_t i = 0; i < table.cells; i++) {
         demand(table.cell[0][i] >= 0 && table.cell[0][i] <= 255, "a cell is not 0..255");
         bytes[i] = (uint8_t)table.cell[0][i];
     }
-    for (size_t i = 0; i < fis->inputs; i++)
+    for (size_t i = 0; i < fis->inputs; i++) {
         array.dims[i] = table.dims[i];
+    }
     out = open_memstream(&text, &length);
     header_write(out, &table, &header);
     csv_write(out, &table);
@@ -101,8 +107,9 @@ static void check_text(const char *text, size_t size)
     struct findings findings = {0, 0};
     struct fis fis;
 
-    if (fis_parse("fuzz.fis", text, size, &fis) != EXIT_FINE)
+    if (fis_parse("fuzz.fis", text, size, &fis) != EXIT_FINE) {
         return;
+    }
     evaluate(&fis, &sampled);
     evaluate(&fis, &exact);
     check_fis(&fis, &findings);
@@ -121,8 +128,9 @@ struct choices {
 /* 0..COUNT-1; 0 when the data are used up. */
 static unsigned choose(struct choices *c, unsigned count)
 {
-    if (c->size == 0)
+    if (c->size == 0) {
         return 0;
+    }
     c->size--;
     return *c->data++ % count;
 }
@@ -147,10 +155,12 @@ static void write_set(struct choices *c, FILE *out, unsigned number, bool is_sug
         double value = choose_number(c);
         /* ascending, mostly, where the kind wants it */
         if ((kind == MF_TRIMF || kind == MF_TRAPMF || kind == MF_LINSMF || kind == MF_LINZMF) &&
-            value < last)
+            value < last) {
             value = last;
-        if (kind == MF_PWLMF)
+        }
+        if (kind == MF_PWLMF) {
             value = i % 2 == 1 ? (double)choose(c, 5) / 4 : (double)i + (double)choose(c, 3);
+        }
         last = value;
         fprintf(out, "%.17g ", value);
     }
@@ -164,8 +174,9 @@ static void write_variable(struct choices *c, FILE *out, const char *section, bo
 
     fprintf(out, "[%s]\nName='v'\nRange=[%.17g %.17g]\n", section, min,
             min + fabs(choose_number(c)));
-    for (unsigned k = 1; k <= sets; k++)
+    for (unsigned k = 1; k <= sets; k++) {
         write_set(c, out, k, is_sugeno);
+    }
 }
 
 static void write_system(struct choices *c, FILE *out)
@@ -184,10 +195,11 @@ static void write_system(struct choices *c, FILE *out)
     write_variable(c, out, "Input2", false);
     write_variable(c, out, "Output1", is_sugeno);
     fprintf(out, "[Rules]\n");
-    for (unsigned r = 0; r < rules; r++)
+    for (unsigned r = 0; r < rules; r++) {
         fprintf(out, "%d %d, %d (%g) : %u\n", (int)choose(c, 5) - 2, (int)choose(c, 5) - 2,
                 (int)choose(c, 4) - (is_sugeno ? 0 : 1), (double)choose(c, 5) / 4,
                 1 + choose(c, 2));
+    }
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -204,8 +216,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     out = open_memstream(&text, &length);
     write_system(&choices, out);
     fclose(out);
-    if (getenv("FUZZ_SHOW") != NULL)
+    if (getenv("FUZZ_SHOW") != NULL) {
         printf("%s", text);
+    }
     check_text(text, length);
     free(text);
     return 0;

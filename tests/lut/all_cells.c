@@ -44,8 +44,9 @@ static void print_number(uint16_t number)
 {
     uint16_t unit = 10000;
 
-    while (unit > 1 && number < unit)
+    while (unit > 1 && number < unit) {
         unit /= 10;
+    }
     for (; unit > 0; unit /= 10) {
         SIMULATOR = 'p';
         SIMULATOR = (uint8_t)('0' + number / unit % 10);
@@ -77,10 +78,12 @@ static void look_up_all(void)
             value = lut_at(row, col);
             STOP();
             taken = cycles();
-            if (taken < least)
+            if (taken < least) {
                 least = taken;
-            if (taken > most)
+            }
+            if (taken > most) {
                 most = taken;
+            }
             SIMULATOR = 'w';
             SIMULATOR = value;
         } while (++col != (uint8_t)COLS);

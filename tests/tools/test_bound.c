@@ -1,5 +1,6 @@
-/* Under test: tools/bound, on small programs written as bytes, whose stack and cycles are counted by hand
- * from the data sheet, and its instruction table against every listing that SDCC has written here. */
+/* Under test: tools/bound, on small programs written as bytes, whose stack and cycles are counted
+ * by hand from the data sheet, and its instruction table against every listing that SDCC has
+ * written here. */
 #include "unity.h"
 
 #include "bound/flow.h"
@@ -34,7 +35,8 @@ static void put(uint16_t address, const uint8_t *code, size_t count)
     memcpy(&hex.code[address], code, count);
     memset(&hex.used[address], true, count);
 }
-#define PUT(address, ...) put(address, (const uint8_t[]){__VA_ARGS__}, sizeof((const uint8_t[]){__VA_ARGS__}))
+#define PUT(address, ...)                                                                          \
+    put(address, (const uint8_t[]){__VA_ARGS__}, sizeof((const uint8_t[]){__VA_ARGS__}))
 
 /* mov sp,#0x2f; lcall 0x0100; sjmp . */
 static void put_start(void)
@@ -91,7 +93,8 @@ static long cycles_of(uint16_t entry)
 static void test_the_stack_of_calls_and_pushes(void)
 {
     put_start();
-    PUT(0x100, 0xC0, 0xE0, 0x12, 0x02, 0x00, 0xD0, 0xE0, 0x22); /* push acc; lcall 0x200; pop acc; ret */
+    PUT(0x100, 0xC0, 0xE0, 0x12, 0x02, 0x00, 0xD0, 0xE0,
+        0x22); /* push acc; lcall 0x200; pop acc; ret */
     PUT(0x200, 0xC0, 0xE0, 0xC0, 0xF0, 0xD0, 0xF0, 0xD0, 0xE0, 0x22);
     TEST_ASSERT_TRUE(flow_follow(&flow));
     TEST_ASSERT_EQUAL_INT(0x2F, flow.stack_base);
@@ -104,7 +107,8 @@ static void test_the_stack_of_calls_and_pushes(void)
 static void test_the_deeper_of_two_branches_counts(void)
 {
     put_start();
-    PUT(0x100, 0x60, 0x04, 0x12, 0x02, 0x00, 0x22, 0x12, 0x03, 0x00, 0x22); /* jz; lcall 0x200; ret; lcall 0x300 */
+    PUT(0x100, 0x60, 0x04, 0x12, 0x02, 0x00, 0x22, 0x12, 0x03, 0x00,
+        0x22); /* jz; lcall 0x200; ret; lcall 0x300 */
     PUT(0x200, 0x22);
     PUT(0x300, 0xC0, 0xE0, 0xD0, 0xE0, 0x22);
     TEST_ASSERT_TRUE(flow_follow(&flow));
@@ -291,7 +295,8 @@ static void test_names_and_bounds_come_from_a_listing(void)
           "      000100                         62 _not_code::\n"
           "                                    180 \t.area CSEG    (CODE)\n"
           "      000100                        236 _work:\n"
-          "                                    237 ;\tfirmware/x.c:52: } while (--n != 0); /* rounds: 12 */\n"
+          "                                    237 ;\tfirmware/x.c:52: } while (--n != 0); /* "
+          "rounds: 12 */\n"
           "      000100 DF FE            [24]  238 \tdjnz\tr7,00101$\n"
           "                                    239 ;\tfirmware/x.c:54: }\n"
           "      000102 22               [24]  240 \tret\n",
@@ -312,14 +317,19 @@ static int compare_line(const char *line)
 {
     unsigned address, bytes[3], clocks;
     const char *bracket = strchr(line, '[');
-    int count = bracket == NULL ? 0 : sscanf(line, " %6x %2x %2x %2x", &address, &bytes[0], &bytes[1], &bytes[2]) - 1;
+    int count =
+        bracket == NULL
+            ? 0
+            : sscanf(line, " %6x %2x %2x %2x", &address, &bytes[0], &bytes[1], &bytes[2]) - 1;
     static uint8_t code[HEX_CODE_SIZE];
     struct instruction it;
 
-    if (count < 1 || sscanf(bracket, "[%u]", &clocks) != 1)
+    if (count < 1 || sscanf(bracket, "[%u]", &clocks) != 1) {
         return 0;
-    for (int i = 0; i < 3; i++)
+    }
+    for (int i = 0; i < 3; i++) {
         code[i] = i < count ? (uint8_t)bytes[i] : 0;
+    }
     it = opcode_decode(code, 0);
     TEST_ASSERT_EQUAL_INT_MESSAGE(count, it.bytes, line);
     TEST_ASSERT_EQUAL_INT_MESSAGE(clocks, 12 * it.cycles, line);
@@ -337,9 +347,11 @@ static void test_the_instruction_table_against_the_assemblers_own(void)
         char line[1024];
 
         TEST_ASSERT_NOT_NULL(stream);
-        while (fgets(line, sizeof line, stream) != NULL)
-            if (strncmp(line, "      0", 7) == 0)
+        while (fgets(line, sizeof line, stream) != NULL) {
+            if (strncmp(line, "      0", 7) == 0) {
                 compared += compare_line(line);
+            }
+        }
         fclose(stream);
     }
     globfree(&files);

@@ -64,8 +64,9 @@ static double euler_stop_m(double v, double drag)
     double x = 0, b = 0, dt = 1e-6;
 
     for (double t = 0; v > 0; t += dt) {
-        if (t >= 0.05)
+        if (t >= 0.05) {
             b += (8 - b) / 0.2 * dt;
+        }
         v -= (b + drag) * dt;
         x += v * dt;
     }
@@ -104,8 +105,9 @@ static void drive_through(int64_t step_ns)
     car_init(&car, &scenario, step_ns);
     for (int i = 0; i < 60; i++) { /* a demand that wanders, at times off every grid */
         car_demand(&car, i * 61 * ms + i * 12345, (i * 37) % 70);
-        if (i % 7 == 3)
+        if (i % 7 == 3) {
             car_demand(&car, i * 61 * ms + i * 12345 + 9 * ms, 0);
+        }
     }
     car_advance(&car, 4000 * ms);
 }

@@ -72,8 +72,9 @@ static void test_that_a_full_disk_is_reported_and_leaves_the_old_file(void)
 {
     struct outfile out;
 
-    if (access("/dev/full", W_OK) != 0)
+    if (access("/dev/full", W_OK) != 0) {
         TEST_FAIL_MESSAGE("no /dev/full on this machine");
+    }
     TEST_ASSERT_EQUAL(EXIT_FINE, outfile_open(&out, path));
     TEST_ASSERT_NOT_NULL(freopen("/dev/full", "w", out.stream));
     fputs("does not fit\n", out.stream);

@@ -108,8 +108,9 @@ static void test_that_endless_lines_and_zeros_do_no_harm(void)
 
     memset(noise, 'x', sizeof noise);
     noise[500] = '\0';
-    for (int i = 0; i < 20; i++)
+    for (int i = 0; i < 20; i++) {
         telemetry_take(&telemetry, i, noise, sizeof noise, NULL, NULL);
+    }
     say("\nseq,state\n1,B\n", 30);
     TEST_ASSERT_EQUAL_STRING("B", telemetry_value(&telemetry, "state"));
     TEST_ASSERT_EQUAL(20000 + 15, telemetry.length);
@@ -172,8 +173,9 @@ static void test_that_states_are_whole_words(void)
 
 static void test_that_every_metric_has_its_own_name(void)
 {
-    for (enum metric metric = 0; metric < METRIC_COUNT; metric++)
+    for (enum metric metric = 0; metric < METRIC_COUNT; metric++) {
         TEST_ASSERT_EQUAL(metric, expect_find(expect_name(metric)));
+    }
     TEST_ASSERT_EQUAL(METRIC_COUNT, expect_find("gap"));
 }
 

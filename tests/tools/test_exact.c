@@ -3,7 +3,9 @@
 
 #include <math.h>
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
 void tearDown(void)
 {
@@ -20,8 +22,9 @@ static void near_(double expected, double got, double share, int line)
 
     snprintf(message, sizeof message, "expected %.15g, got %.15g, off by %.2g of the range",
              expected, got, fabs(expected - got) / range);
-    if (!(fabs(expected - got) <= share * range))
+    if (!(fabs(expected - got) <= share * range)) {
         UNITY_TEST_FAIL((UNITY_LINE_TYPE)line, message);
+    }
 }
 
 /* The input a is the strength of the first rule, b of the second. */
@@ -307,10 +310,11 @@ static void test_tops_of_products_and_differences(void)
         double low = 3, high = 6;
         for (int i = 0; i < 100; i++) {
             double x = (low + high) / 2;
-            if (2 / (1 + exp(2 * (x - 3))) > 1 / (1 + exp(-(x - 5))))
+            if (2 / (1 + exp(2 * (x - 3))) > 1 / (1 + exp(-(x - 5)))) {
                 low = x;
-            else
+            } else {
                 high = x;
+            }
         }
         NEAR(low, output(0, 1, 0));
     }
@@ -328,10 +332,11 @@ static void test_a_top_that_only_the_sum_has(void)
     for (int i = 0; i < 100; i++) {
         double x = (low + high) / 2;
         if ((5 - x) * 0.4 * exp(-(x - 5) * (x - 5) / 2) >
-            (x - 4) * 0.9 * exp(-(x - 4) * (x - 4) / 2))
+            (x - 4) * 0.9 * exp(-(x - 4) * (x - 4) / 2)) {
             low = x;
-        else
+        } else {
             high = x;
+        }
     }
     system_of("prod", "sum", "mom", 0, 10, sets, TWO_RULES);
     NEAR(4.5, output(0, 0.8, 0.8));
@@ -348,8 +353,9 @@ static void test_a_straight_and_a_curved_set_under_max(void)
     static const char sets[] = "MF1='g':'gaussmf',[1 0]\nMF2='r':'linsmf',[0 4]";
     double c = 1.5;
 
-    for (int i = 0; i < 50; i++)
+    for (int i = 0; i < 50; i++) {
         c -= (exp(-c * c / 2) - c / 4) / (-c * exp(-c * c / 2) - 0.25);
+    }
     system_of("prod", "max", "centroid", 0, 4, sets, TWO_RULES);
     NEAR((1 - exp(-c * c / 2) + (64 - c * c * c) / 12) /
              (sqrt(M_PI / 2) * erf(c / sqrt(2)) + (16 - c * c) / 8),

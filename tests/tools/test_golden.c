@@ -21,9 +21,13 @@ struct row {
 
 static struct fis fis;
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void cut(char *line, struct row *row)
 {
@@ -32,8 +36,9 @@ static void cut(char *line, struct row *row)
     line[strcspn(line, "\r\n")] = '\0';
     for (row->fields = 0; row->fields < FIELDS_MAX; row->fields++) {
         char *field = strsep(&rest, ",");
-        if (field == NULL)
+        if (field == NULL) {
             return;
+        }
         row->field[row->fields] = field;
         row->number[row->fields] = strtod(field, NULL);
     }
@@ -52,8 +57,9 @@ static int each_row(const char *path, void (*visit)(const struct row *row))
     TEST_ASSERT_EQUAL_STRING_LEN_MESSAGE("# made by ", line, 10,
                                          "the first line says how it was made");
     while (fgets(line, sizeof line, file) != NULL) {
-        if (line[0] == '#')
+        if (line[0] == '#') {
             continue;
+        }
         cut(line, &row);
         visit(&row);
         rows++;
@@ -80,8 +86,9 @@ static void eval(const double *x, double *y, bool exact)
 static int word(const char *const *words, const char *text)
 {
     int i = 1;
-    while (words[i] != NULL && strcmp(words[i], text) != 0)
+    while (words[i] != NULL && strcmp(words[i], text) != 0) {
         i++;
+    }
     TEST_ASSERT_NOT_NULL_MESSAGE(words[i], text);
     return i;
 }
@@ -109,8 +116,9 @@ static double degree_of(const struct row *row)
     TEST_ASSERT_NOT_EQUAL(MF_UNKNOWN, kind);
     for (char *end = rest; *rest != '\0'; rest = end) {
         parameter[count] = strtod(rest, &end);
-        if (end == rest)
+        if (end == rest) {
             break;
+        }
         count++;
     }
     TEST_ASSERT_NULL(mf_fault(kind, parameter, count));
@@ -268,9 +276,10 @@ static void exact_fuzzylite(const struct row *row)
     double y[FIS_VARIABLES_MAX];
 
     eval(row->number, y, true);
-    for (size_t o = 0; o < fis.outputs; o++)
+    for (size_t o = 0; o < fis.outputs; o++) {
         close_to(row->number[2 + o], y[o], MIDPOINT_ERROR * (fis.output[o].max - fis.output[o].min),
                  row);
+    }
 }
 
 static void test_exact_brake_is_what_fuzzylite_tends_to(void)
@@ -284,9 +293,11 @@ static void test_exact_curved_sets_are_what_fuzzylite_tends_to(void)
 {
     open_fis("tests/golden/asym.fis");
     for (size_t r = 0; r < fis.rules;
-         r++) /* the data are for the system without `not` in its outcomes */
-        for (size_t o = 0; o < fis.outputs; o++)
+         r++) { /* the data are for the system without `not` in its outcomes */
+        for (size_t o = 0; o < fis.outputs; o++) {
             fis.rule[r].term[fis.inputs + o] = abs(fis.rule[r].term[fis.inputs + o]);
+        }
+    }
     TEST_ASSERT_EQUAL(6 * 5, each_row("tests/golden/surface_fuzzylite.csv", exact_fuzzylite));
     fis_free(&fis);
 }

@@ -14,7 +14,9 @@ void setUp(void)
     frame_init(FRAME_PARK, sizeof payload);
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void spoil(struct random *random, uint8_t *bytes)
 {
@@ -28,8 +30,9 @@ static void test_that_the_firmware_reads_what_the_head_writes(void)
     size_t size = head_encode(FRAME_PARK, 3, payload, sizeof payload, line);
 
     TEST_ASSERT_EQUAL(FRAME_LINE_BYTES(sizeof payload), size);
-    for (size_t i = 0; i < size; i++)
+    for (size_t i = 0; i < size; i++) {
         result = frame_push(line[i]);
+    }
     TEST_ASSERT_EQUAL(FRAME_GOOD, result);
     TEST_ASSERT_EQUAL_MEMORY(payload, frame_body, sizeof payload);
 }
@@ -42,11 +45,13 @@ static const char *bad_answers(const struct frame_fault *first, const struct fra
     struct head head;
 
     memset(&scenario, 0, sizeof scenario);
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
         scenario.frames[i].kind = -1;
+    }
     scenario.frames[0] = *first;
-    if (second != NULL)
+    if (second != NULL) {
         scenario.frames[1] = *second;
+    }
     head_init(&head, &scenario, 1, FRAME_PARK, sizeof payload, spoil);
     for (int i = 0; i < 10; i++) {
         uint8_t line[HEAD_LINE_MAX];
@@ -92,8 +97,9 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
         unsigned good = 0, wrong = 0;
 
         memset(&scenario, 0, sizeof scenario);
-        for (int i = 0; i < SCENARIO_FAULTS; i++)
+        for (int i = 0; i < SCENARIO_FAULTS; i++) {
             scenario.frames[i].kind = -1;
+        }
         scenario.frames[0] = (struct frame_fault){kinds[k], 0, -1, 0.5, -1, 1};
         head_init(&head, &scenario, 7 + k, FRAME_PARK, sizeof payload, spoil);
         for (int64_t t_ns = 1000000; t_ns < 20000 * 1000000LL; t_ns += 1000000) {
@@ -102,11 +108,12 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
 
             head_measured(&head, t_ns, payload);
             size = head_take(&head, t_ns, line);
-            for (size_t i = 0; i < size; i++)
+            for (size_t i = 0; i < size; i++) {
                 if (frame_push(line[i]) == FRAME_GOOD) {
                     good++;
                     wrong += memcmp(payload, frame_body, sizeof payload) != 0;
                 }
+            }
         }
         TEST_ASSERT_TRUE(good > 8000);
         TEST_ASSERT_EQUAL(0, wrong);

@@ -6,7 +6,9 @@
 
 #include "fistab/defuzz.h"
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
 void tearDown(void)
 {
@@ -20,8 +22,9 @@ static void near_(double expected, double got, int line)
     char message[100];
 
     snprintf(message, sizeof message, "expected %.15g, got %.15g", expected, got);
-    if (!(fabs(expected - got) <= 1e-12))
+    if (!(fabs(expected - got) <= 1e-12)) {
         UNITY_TEST_FAIL((UNITY_LINE_TYPE)line, message);
+    }
 }
 
 /* One input 0..10 with a falling and a rising set; one output 0..10 likewise, and a middle one. */
@@ -45,9 +48,10 @@ static void test_spot_values_of_the_brake(void)
                                      {4, 0, 30}};
 
     TEST_ASSERT_EQUAL(EXIT_FINE, fis_read("tables/brake.fis", &fis));
-    for (size_t i = 0; i < sizeof spot / sizeof spot[0]; i++)
+    for (size_t i = 0; i < sizeof spot / sizeof spot[0]; i++) {
         TEST_ASSERT_TRUE(fabs(spot[i][2] - output(101, spot[i][0], spot[i][1])) <
                          6e-9); /* ten digits are given */
+    }
 }
 
 /* --- three samples at 0, 5 and 10
@@ -117,10 +121,11 @@ static void test_methods_of_defuzzification(void)
  * its plateau, which rounding takes to be a little above or below. */
 static void test_a_plateau_that_ends_on_samples_keeps_its_ends(void)
 {
-    given("[System]\n" METHODS("min", "max", "min", "max", "mom")
-          "[Input1]\nName='gap'\nRange=[0 10]\nMF1='near':'trimf',[1 3 5]\n"
-          "[Output1]\nName='command'\nRange=[-2 2]\nMF1='hold':'trimf',[-1 0 1]\n"
-          "[Rules]\n1, 1 (1) : 1\n");
+    given("[System]\n" METHODS(
+        "min", "max", "min", "max",
+        "mom") "[Input1]\nName='gap'\nRange=[0 10]\nMF1='near':'trimf',[1 3 5]\n"
+               "[Output1]\nName='command'\nRange=[-2 2]\nMF1='hold':'trimf',[-1 0 1]\n"
+               "[Rules]\n1, 1 (1) : 1\n");
     NEAR(0, output(101, 3.32, 0));
 }
 
@@ -137,8 +142,9 @@ static void test_the_example_of_matlabs_documentation(void)
     for (int k = 0; k < N; k++) {
         x[k] = -10 + 0.1 * k;
         mu[k] = 0;
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++) {
             mu[k] = fmax(mu[k], height[i] * mf_degree(MF_TRAPMF, trapezoid[i], 4, x[k]));
+        }
     }
     TEST_ASSERT_TRUE(defuzz(DEFUZZ_MOM, x, mu, N, &y));
     NEAR(-5, y);
@@ -168,8 +174,9 @@ static void test_that_an_empty_set_has_no_centre(void)
     static const double mu[] = {0, 0};
     double y = 7;
 
-    for (enum fis_defuzz method = DEFUZZ_CENTROID; method <= DEFUZZ_SOM; method++)
+    for (enum fis_defuzz method = DEFUZZ_CENTROID; method <= DEFUZZ_SOM; method++) {
         TEST_ASSERT_FALSE(defuzz(method, x, mu, 2, &y));
+    }
     NEAR(7, y);
 }
 
@@ -267,7 +274,7 @@ static void test_a_set_that_no_sample_meets_is_like_no_rule(void)
     double x[1] = {0}, y[1];
 
     given("[System]\n" ONE_INPUT "[Output1]\nName='y'\nRange=[0 10]\nMF1='thin':'trimf',[4 4.2 "
-                                 "4.4]\n[Rules]\n1, 1 (1) : 1\n");
+          "4.4]\n[Rules]\n1, 1 (1) : 1\n");
     TEST_ASSERT_EQUAL(1, eval(3, x, y)); /* samples at 0, 5, 10 */
     NEAR(5, y[0]);
     TEST_ASSERT_EQUAL(0, eval(51, x, y)); /* 4.2 is one */

@@ -13,9 +13,13 @@ struct point {
     double x, degree;
 };
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void check(enum mf_kind kind, const double *p, size_t count, const struct point *point,
                   size_t points)
@@ -37,10 +41,7 @@ static void check(enum mf_kind kind, const double *p, size_t count, const struct
         const struct point point_[] = {__VA_ARGS__};                                               \
         check(kind, p_, COUNT(p_), point_, COUNT(point_));                                         \
     } while (0)
-#define P(...)                                                                                     \
-    {                                                                                              \
-        __VA_ARGS__                                                                                \
-    }
+#define P(...) {__VA_ARGS__}
 
 static void test_trimf(void)
 {
@@ -163,25 +164,29 @@ static void test_that_extreme_numbers_give_a_degree(void)
     static const double extreme[] = {-1e100, -1e-300, 0, 1e-300, 1, 1e100};
     enum { N = COUNT(extreme) };
 
-    for (enum mf_kind kind = 0; kind < MF_CONSTANT; kind++)
-        for (int code = 0; code < N * N * N * N; code++)
+    for (enum mf_kind kind = 0; kind < MF_CONSTANT; kind++) {
+        for (int code = 0; code < N * N * N * N; code++) {
             for (int k = 0; k < N; k++) {
                 double p[4] = {extreme[code % N], extreme[code / N % N], extreme[code / N / N % N],
                                extreme[code / N / N / N]};
                 size_t count = mf_parameters(kind, 1) == 0 ? 4 : mf_parameters(kind, 1);
                 double degree;
 
-                if (mf_fault(kind, p, count) != NULL)
+                if (mf_fault(kind, p, count) != NULL) {
                     continue;
+                }
                 degree = mf_degree(kind, p, count, extreme[k]);
                 TEST_ASSERT_TRUE_MESSAGE(degree >= 0 && degree <= 1, mf_name(kind));
             }
+        }
+    }
 }
 
 static void test_that_names_and_kinds_agree(void)
 {
-    for (enum mf_kind kind = 0; kind < MF_UNKNOWN; kind++)
+    for (enum mf_kind kind = 0; kind < MF_UNKNOWN; kind++) {
         TEST_ASSERT_EQUAL(kind, mf_kind_by_name(mf_name(kind)));
+    }
     TEST_ASSERT_EQUAL(MF_UNKNOWN, mf_kind_by_name("TRIMF"));
     TEST_ASSERT_EQUAL(MF_UNKNOWN, mf_kind_by_name(""));
 }

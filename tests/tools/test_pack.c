@@ -40,9 +40,11 @@ static void assert_packs(size_t rows, size_t cols)
 
     TEST_ASSERT_EQUAL_MESSAGE(0, status, why);
     TEST_ASSERT_TRUE(pack.count < rows * cols);
-    for (size_t row = 0; row < rows; row++)
-        for (size_t col = 0; col < cols; col++)
+    for (size_t row = 0; row < rows; row++) {
+        for (size_t col = 0; col < cols; col++) {
             TEST_ASSERT_EQUAL_INT(cells[row * cols + col], pack_at(&pack, row, col));
+        }
+    }
 }
 
 static void assert_does_not_pack(size_t rows, size_t cols, const char *reason)
@@ -75,8 +77,9 @@ static void pack_brake(const char *repair)
 
     TEST_ASSERT_EQUAL(EXIT_FINE, fis_read("tables/brake.fis", &fis));
     TEST_ASSERT_EQUAL(EXIT_FINE, table_make(&fis, &options, &table));
-    if (repair != NULL && law_parse(repair, &law))
+    if (repair != NULL && law_parse(repair, &law)) {
         repair_output(&table, 0, &law, &report);
+    }
     memcpy(cells, table.cell[0], table.cells * sizeof *cells);
     table_free(&table);
     fis_free(&fis);
@@ -99,8 +102,9 @@ static void test_that_the_brakes_repaired_table_takes_less_than_1600_bytes(void)
 
 static void test_that_a_constant_table_is_a_few_bytes(void)
 {
-    for (size_t i = 0; i < SIDE_MAX * SIDE_MAX; i++)
+    for (size_t i = 0; i < SIDE_MAX * SIDE_MAX; i++) {
         cells[i] = 255;
+    }
     assert_packs(SIDE_MAX, SIDE_MAX);
     /* one strip of one block: two bytes for it, its page, a run of two, 256 cells of shape */
     TEST_ASSERT_TRUE(pack.count <= 261);
@@ -113,8 +117,9 @@ static void test_that_planes_pack_in_every_shape(void)
 
     for (size_t r = 0; r < SIDES; r++) {
         for (size_t c = 0; c < SIDES; c++) {
-            for (size_t i = 0; i < side[r] * side[c]; i++)
+            for (size_t i = 0; i < side[r] * side[c]; i++) {
                 cells[i] = (int)((i / side[c] * 3 + i % side[c] * 2) / 9);
+            }
             assert_packs_if_smaller(side[r], side[c]);
             pack_free(&pack);
         }
@@ -124,8 +129,9 @@ static void test_that_planes_pack_in_every_shape(void)
 static void test_that_single_rows_and_columns_come_back(void)
 {
     for (size_t length = 1; length <= SIDE_MAX; length += length < 40 ? 1 : 54) {
-        for (size_t i = 0; i < length; i++)
+        for (size_t i = 0; i < length; i++) {
             cells[i] = (int)(i / 16);
+        }
         assert_packs_if_smaller(1, length);
         pack_free(&pack);
         assert_packs_if_smaller(length, 1);
@@ -136,8 +142,9 @@ static void test_that_single_rows_and_columns_come_back(void)
 static void test_that_walks_of_many_pages_come_back(void)
 {
     /* Every row differs, so that a strip of 256 rows fills its page to the last run. */
-    for (size_t i = 0; i < SIDE_MAX * SIDE_MAX; i++)
+    for (size_t i = 0; i < SIDE_MAX * SIDE_MAX; i++) {
         cells[i] = (int)((i / SIDE_MAX + i % SIDE_MAX / 64) & 255);
+    }
     assert_packs(SIDE_MAX, SIDE_MAX);
 }
 
@@ -152,10 +159,12 @@ static void test_that_random_terraces_come_back(void)
                 int *cell = &cells[row * cols + col];
 
                 *cell = row > 0 ? cell[-(ptrdiff_t)cols] : (int)random_below(256);
-                if (col > 0 && random_below(across) != 0)
+                if (col > 0 && random_below(across) != 0) {
                     *cell = cell[-1];
-                if (random_below(down) == 0)
+                }
+                if (random_below(down) == 0) {
                     *cell = (*cell + (int)random_below(3)) & 255;
+                }
             }
         }
         assert_packs_if_smaller(rows, cols);
@@ -165,8 +174,9 @@ static void test_that_random_terraces_come_back(void)
 
 static void test_that_leading_rows_alike_are_left_out(void)
 {
-    for (size_t i = 0; i < 64 * 64; i++)
+    for (size_t i = 0; i < 64 * 64; i++) {
         cells[i] = i / 64 < 30 ? 7 : (int)(i / 64);
+    }
     assert_packs(64, 64);
     TEST_ASSERT_EQUAL(24, pack.first_row);
     TEST_ASSERT_EQUAL(5, pack.blocks);
@@ -174,8 +184,9 @@ static void test_that_leading_rows_alike_are_left_out(void)
 
 static void test_that_noise_is_refused_with_both_sizes(void)
 {
-    for (size_t i = 0; i < 100 * 100; i++)
+    for (size_t i = 0; i < 100 * 100; i++) {
         cells[i] = (int)random_below(256);
+    }
     assert_does_not_pack(100, 100, "it would take");
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(why, "the plain table 10000"), why);
 }

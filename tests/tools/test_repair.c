@@ -42,8 +42,9 @@ static double squares(const double *surface, const int *cells, size_t count)
 {
     double sum = 0;
 
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         sum += (cells[i] - surface[i]) * (cells[i] - surface[i]);
+    }
     return sum;
 }
 
@@ -62,16 +63,20 @@ static void best_by_trying(const double *surface, const size_t *dims, int inputs
 
             /* All sums are exact, as surface values are in quarters; later tables are not smaller
              * everywhere, so the largest of equals is taken cell by cell. */
-            if (sum < least)
+            if (sum < least) {
                 memcpy(best, cells, count * sizeof *cells);
-            for (size_t k = 0; sum == least && k < count; k++)
+            }
+            for (size_t k = 0; sum == least && k < count; k++) {
                 best[k] = best[k] > cells[k] ? best[k] : cells[k];
+            }
             least = fmin(least, sum);
         }
-        while (i < count && cells[i] == levels)
+        while (i < count && cells[i] == levels) {
             cells[i++] = 0;
-        if (i == count)
+        }
+        if (i == count) {
             return;
+        }
         cells[i]++;
     }
 }
@@ -80,16 +85,19 @@ static void try_small(const size_t *dims, int inputs, int levels, int rounds)
 {
     size_t count = 1;
 
-    for (int k = 0; k < inputs; k++)
+    for (int k = 0; k < inputs; k++) {
         count *= dims[k];
+    }
     for (int round = 0; round < rounds; round++) {
         double surface[16];
         int direction[REPAIR_INPUTS_MAX], expected[16], cells[16];
 
-        for (size_t i = 0; i < count; i++)
+        for (size_t i = 0; i < count; i++) {
             surface[i] = random_below((uint32_t)(4 * levels + 1)) / 4.0;
-        for (int k = 0; k < inputs; k++)
+        }
+        for (int k = 0; k < inputs; k++) {
             direction[k] = (int)random_below(3) - 1;
+        }
 
         best_by_trying(surface, dims, inputs, direction, levels, count, expected);
         TEST_ASSERT_EQUAL(0, repair_monotone(surface, dims, inputs, direction, levels, cells));
@@ -166,21 +174,24 @@ static size_t find_path(struct flow *flow, size_t start)
     static size_t queue[CELLS_MAX];
     size_t head = 0, tail = 0;
 
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         flow->from[i] = CELLS_MAX;
+    }
     flow->from[start] = start;
     queue[tail++] = start;
     while (head < tail) {
         size_t cell = queue[head++];
 
-        if (flow->room[cell] > 0)
+        if (flow->room[cell] > 0) {
             return cell;
+        }
         for (int way = 0; way < 4; way++) {
             size_t next = next_cell(cell, way);
 
             if (next == CELLS_MAX || flow->from[next] != CELLS_MAX ||
-                flow->cells[next] != flow->cells[cell] || capacity(flow, next, way) == 0)
+                flow->cells[next] != flow->cells[cell] || capacity(flow, next, way) == 0) {
                 continue;
+            }
             flow->from[next] = cell;
             queue[tail++] = next;
         }
@@ -190,9 +201,11 @@ static size_t find_path(struct flow *flow, size_t start)
 
 static int way_between(size_t cell, size_t next)
 {
-    for (int way = 0; way < 4; way++)
-        if (next_cell(cell, way) == next)
+    for (int way = 0; way < 4; way++) {
+        if (next_cell(cell, way) == next) {
             return way;
+        }
+    }
     return -1;
 }
 
@@ -207,10 +220,11 @@ static void send_along(struct flow *flow, size_t start, size_t end)
     for (size_t cell = end; cell != start; cell = flow->from[cell]) {
         int way = way_between(flow->from[cell], cell);
 
-        if (way < 2)
+        if (way < 2) {
             flow->sent[way][flow->from[cell]] += amount;
-        else
+        } else {
             flow->sent[way - 2][cell] -= amount;
+        }
     }
     flow->supply[start] -= amount;
     flow->room[end] -= amount;
@@ -260,11 +274,13 @@ static void assert_nearest(const double *surface, const int *cells, int levels)
     for (size_t i = 0; i < CELLS_MAX; i++) {
         size_t end;
 
-        while (flow.supply[i] > 0 && (end = find_path(&flow, i)) != CELLS_MAX)
+        while (flow.supply[i] > 0 && (end = find_path(&flow, i)) != CELLS_MAX) {
             send_along(&flow, i, end);
+        }
     }
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         TEST_ASSERT_TRUE_MESSAGE(flow.room[i] == 0, "a better table exists, with lower cells");
+    }
 }
 
 static void test_that_the_brakes_table_is_the_nearest_one(void)
@@ -279,8 +295,9 @@ static void test_that_the_brakes_table_is_the_nearest_one(void)
 static void test_that_the_brakes_table_of_255_levels_is_the_nearest_one(void)
 {
     make_brake(255);
-    for (size_t i = 0; i < table.cells; i++) /* whole steps of 2^-40, whatever the scale */
+    for (size_t i = 0; i < table.cells; i++) { /* whole steps of 2^-40, whatever the scale */
         table.surface[0][i] = ldexp(round(ldexp(table.surface[0][i], 30)), -30);
+    }
     TEST_ASSERT_EQUAL(
         0, repair_monotone(table.surface[0], brake_dims, 2, brake_direction, 255, table.cell[0]));
     TEST_ASSERT_EQUAL(0, repair_violations(table.cell[0], brake_dims, 2, brake_direction, NULL));
@@ -315,11 +332,13 @@ static void test_that_a_table_that_obeys_is_only_rounded(void)
     double surface[CELLS_MAX];
     int cells[CELLS_MAX];
 
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         surface[i] = (double)(99 - i / 100) * 0.51 + (double)(i % 100) * 0.37;
+    }
     TEST_ASSERT_EQUAL(0, repair_monotone(surface, brake_dims, 2, brake_direction, 100, cells));
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         TEST_ASSERT_EQUAL_INT(table_round(surface[i]), cells[i]);
+    }
 }
 
 /* Halves as floating point makes them, a little more or less: they stay as rounding has them. */
@@ -344,11 +363,13 @@ static void test_that_free_inputs_are_only_rounded(void)
     double surface[CELLS_MAX];
     int cells[CELLS_MAX];
 
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         surface[i] = random_below(100001) / 1000.0;
+    }
     TEST_ASSERT_EQUAL(0, repair_monotone(surface, brake_dims, 2, (const int[]){0, 0}, 100, cells));
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         TEST_ASSERT_EQUAL_INT((int)floor(surface[i] + 0.5), cells[i]);
+    }
 }
 
 static void test_that_noise_becomes_monotone(void)
@@ -356,8 +377,9 @@ static void test_that_noise_becomes_monotone(void)
     double surface[CELLS_MAX];
     int cells[CELLS_MAX];
 
-    for (size_t i = 0; i < CELLS_MAX; i++)
+    for (size_t i = 0; i < CELLS_MAX; i++) {
         surface[i] = ldexp(random_below(1 << 20), -14);
+    }
     TEST_ASSERT_EQUAL(0, repair_monotone(surface, brake_dims, 2, brake_direction, 64, cells));
     TEST_ASSERT_EQUAL(0, repair_violations(cells, brake_dims, 2, brake_direction, NULL));
     assert_nearest(surface, cells, 64);
@@ -397,8 +419,9 @@ static void test_that_other_texts_are_no_laws(void)
                                        "+ 1", "+1, +2", "--1",  "+1x",   "+18446744073709551617"};
     struct law law;
 
-    for (size_t i = 0; i < sizeof text / sizeof text[0]; i++)
+    for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
         TEST_ASSERT_FALSE_MESSAGE(law_parse(text[i], &law), text[i]);
+    }
 }
 
 int main(void)

@@ -2,9 +2,13 @@
 #include "drive/robots.h"
 #include "unity.h"
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static struct robots start(int gap_mm, int own_mmps, int lead_mmps)
 {
@@ -18,8 +22,9 @@ static void test_constant_acceleration_is_exact(void)
 {
     struct robots robots = start(9000, 0, 500);
 
-    for (int step = 0; step < 8; step++)
+    for (int step = 0; step < 8; step++) {
         robots_step(&robots, 2000, false);
+    }
     /* 0.8 s: 1.6 m/s, 0.64 m driven; the lead drove 0.4 m. */
     TEST_ASSERT_EQUAL_INT(1600, robots.own_mmps);
     TEST_ASSERT_EQUAL_INT(9000000 - 640000 + 400000, robots.gap_um);
@@ -31,8 +36,9 @@ static void test_speed_stays_from_0_to_2_mps(void)
 
     robots_step(&robots, 2000, false);
     TEST_ASSERT_EQUAL_INT(2000, robots.own_mmps);
-    for (int step = 0; step < 20; step++)
+    for (int step = 0; step < 20; step++) {
         robots_step(&robots, -2000, false);
+    }
     TEST_ASSERT_EQUAL_INT(0, robots.own_mmps);
 }
 
@@ -74,8 +80,9 @@ static void test_free_lane_is_taken_once(void)
     TEST_ASSERT_EQUAL_INT(6000, robots_gap_mm(&robots));
     TEST_ASSERT_EQUAL_INT(1200, robots.lead_mmps);
     TEST_ASSERT_FALSE(robots.lane_is_free);
-    for (int step = 0; step < 10; step++)
+    for (int step = 0; step < 10; step++) {
         robots_step(&robots, 0, true);
+    }
     TEST_ASSERT_EQUAL_INT(6000000 - 10 * 30000, robots.gap_um);
 }
 

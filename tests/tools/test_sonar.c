@@ -1,4 +1,5 @@
-/* Under test: tools/drive/sonar.c, the sensor and its faults; figures from the HC-SR04 data sheet. */
+/* Under test: tools/drive/sonar.c, the sensor and its faults; figures from the HC-SR04 data sheet.
+ */
 #include "drive/sonar.h"
 
 #include <math.h>
@@ -14,9 +15,13 @@ void setUp(void)
     memset(&scenario, 0, sizeof scenario);
     scenario.sensor = (struct sensor){
         .temp_c = 20, .min_m = 0.02, .max_m = 5, .delay_us = 450, .no_echo_us = 38000};
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
-        scenario.faults[i] = (struct fault){
-            .kind = -1, .for_s = SCENARIO_UNSET, .dist_m = SCENARIO_UNSET, .scale = 1, .readings = 1};
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+        scenario.faults[i] = (struct fault){.kind = -1,
+                                            .for_s = SCENARIO_UNSET,
+                                            .dist_m = SCENARIO_UNSET,
+                                            .scale = 1,
+                                            .readings = 1};
+    }
 }
 
 void tearDown(void)
@@ -52,8 +57,9 @@ static double pulse_us(int64_t *rise_ns)
             length = (double)(at_ns - begin_ns) / 1000;
         }
     }
-    if (rise_ns != NULL)
+    if (rise_ns != NULL) {
         *rise_ns = begin_ns;
+    }
     return length;
 }
 
@@ -64,8 +70,9 @@ static double read_m(int64_t t_ns, double gap_m)
 
     sonar_trigger(&sonar, t_ns, 12 * us, gap_m, 0);
     length = pulse_us(NULL);
-    if (length > 37999 && length < 38001)
+    if (length > 37999 && length < 38001) {
         return INFINITY;
+    }
     return length > 0 ? length * 1e-6 * 343.2 / 2 : length;
 }
 
@@ -152,8 +159,9 @@ static void test_that_dropouts_come_as_often_as_asked_for(void)
 
     scenario.sensor.dropout = 0.1;
     begin(42);
-    for (int i = 0; i < 10000; i++)
+    for (int i = 0; i < 10000; i++) {
         dropped += isinf(read_m(i * 60 * ms, 2)) != 0;
+    }
     TEST_ASSERT_INT_WITHIN(100, 1000, dropped);
 }
 
@@ -164,11 +172,13 @@ static void test_that_the_same_seed_gives_the_same_readings(void)
     scenario.sensor.noise_m = 0.02;
     scenario.sensor.dropout = 0.1;
     begin(7);
-    for (int i = 0; i < 50; i++)
+    for (int i = 0; i < 50; i++) {
         first[i] = read_m(i * 60 * ms, 2);
+    }
     begin(7);
-    for (int i = 0; i < 50; i++)
+    for (int i = 0; i < 50; i++) {
         TEST_ASSERT_TRUE(memcmp(&first[i], &(double){read_m(i * 60 * ms, 2)}, sizeof(double)) == 0);
+    }
     begin(8);
     TEST_ASSERT_TRUE(fabs(read_m(0, 2) - first[0]) > 1e-6);
 }
@@ -179,13 +189,15 @@ static void test_that_a_fault_leaves_the_later_noise_alone(void)
 
     scenario.sensor.noise_m = 0.02;
     begin(7);
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 5; i++) {
         read_m(i * 60 * ms, 2);
+    }
     healthy = read_m(5 * 60 * ms, 2);
     fault(FAULT_GARBAGE, 0)->for_s = 0.2;
     begin(7);
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 5; i++) {
         read_m(i * 60 * ms, 2);
+    }
     TEST_ASSERT_EQUAL_DOUBLE(healthy, read_m(5 * 60 * ms, 2));
 }
 
@@ -291,8 +303,9 @@ static void test_that_a_delayed_sensor_shows_the_past(void)
 {
     fault(FAULT_DELAYED, 0)->delay_s = 0.2;
     begin(1);
-    for (int i = 0; i <= 100; i++)
+    for (int i = 0; i <= 100; i++) {
         sonar_observe(&sonar, i * 10 * ms, 5 - 0.03 * i); /* 3 m/s */
+    }
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 5 - 3 * 0.805, read_m(1005 * ms, 5 - 3 * 1.005));
 }
 

@@ -11,7 +11,9 @@
 
 static struct table table;
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
 void tearDown(void)
 {
@@ -43,12 +45,13 @@ static void test_rows_are_the_first_input_and_cells_their_centres(void)
     make(OPTIONS(100, .dims = {4, 3}));
 
     TEST_ASSERT_EQUAL(12, table.cells);
-    for (size_t r = 0; r < 4; r++)
+    for (size_t r = 0; r < 4; r++) {
         for (size_t c = 0; c < 3; c++) {
             double expected = 10 * ((double)r + 0.5) + ((double)c + 0.5);
             TEST_ASSERT_TRUE(fabs(expected - table.surface[0][3 * r + c]) < 1e-12);
             TEST_ASSERT_EQUAL((int)floor(expected + 0.5), table.cell[0][3 * r + c]);
         }
+    }
     TEST_ASSERT_TRUE(fabs(table_axis_value(&table, 1, 2) - 12.5) < 1e-15);
 }
 
@@ -73,7 +76,7 @@ static void test_the_asymmetric_system_is_not_transposed(void)
     TEST_ASSERT_EQUAL(EXIT_FINE, fis_read("tests/golden/asym.fis", &fis));
     make(OPTIONS(100, .dims = {7, 5}));
     engine = engine_create(&fis, &infer);
-    for (size_t r = 0; r < 7; r++)
+    for (size_t r = 0; r < 7; r++) {
         for (size_t c = 0; c < 5; c++) {
             double x[2] = {-2 + (double)r + 0.5, 10 + 16 * ((double)c + 0.5)};
             double y[2];
@@ -81,6 +84,7 @@ static void test_the_asymmetric_system_is_not_transposed(void)
             TEST_ASSERT_TRUE(fabs((y[0] + 3) / 14 * 100 - table.surface[0][5 * r + c]) < 1e-9);
             TEST_ASSERT_TRUE(fabs(y[1] * 100 - table.surface[1][5 * r + c]) < 1e-9);
         }
+    }
     engine_free(engine);
 }
 
@@ -102,8 +106,9 @@ static void test_four_inputs_and_the_last_one_fastest(void)
     TEST_ASSERT_EQUAL(20, table.cell[0][20]);
     TEST_ASSERT_EQUAL(100, table.cell[0][60]);
     table_coordinates(&table, 60 + 2 * 20 + 3 * 5 + 4, at);
-    for (size_t i = 0; i < 4; i++)
+    for (size_t i = 0; i < 4; i++) {
         TEST_ASSERT_EQUAL(i + 1, at[i]);
+    }
 }
 
 static void test_levels_stretch_the_range_of_the_output(void)
@@ -158,8 +163,9 @@ static void test_where_exact_and_sampled_brakes_differ(void)
                                  &(const struct table_options){
                                      .infer = {.samples = 101, .exact = true}, .levels = 100},
                                  &exact));
-    for (size_t i = 0; i < table.cells; i++)
+    for (size_t i = 0; i < table.cells; i++) {
         differ += table.cell[0][i] != exact.cell[0][i];
+    }
     table_free(&exact);
     TEST_ASSERT_EQUAL(2264, differ);
 }
@@ -180,8 +186,9 @@ static void check_reciprocal(unsigned long span, unsigned long cells)
     unsigned mul, shift;
     char message[80];
 
-    if (!header_reciprocal(span, cells, &mul, &shift))
+    if (!header_reciprocal(span, cells, &mul, &shift)) {
         return;
+    }
     TEST_ASSERT_TRUE(mul <= 0xFFFF);
     for (unsigned long x = 0; x <= span; x++) {
         uint32_t product = (uint32_t)x * mul; /* as the chip has it */
@@ -197,9 +204,11 @@ static void test_reciprocals_are_exact(void)
     TEST_ASSERT_TRUE(header_reciprocal(4000, 100, &mul, &shift));
     TEST_ASSERT_TRUE(header_reciprocal(35000, 100, &mul, &shift));
     TEST_ASSERT_TRUE(header_reciprocal(65535, 255, &mul, &shift));
-    for (unsigned long span = 1; span < 65536; span += span / 7 + 1)
-        for (unsigned long cells = 1; cells < 300; cells += cells / 3 + 1)
+    for (unsigned long span = 1; span < 65536; span += span / 7 + 1) {
+        for (unsigned long cells = 1; cells < 300; cells += cells / 3 + 1) {
             check_reciprocal(span, cells);
+        }
+    }
 }
 
 static void test_there_is_no_reciprocal_of_what_does_not_fit(void)

@@ -13,7 +13,8 @@ static const char csv[] = "build/tests/test_trace.csv", json[] = "build/tests/te
 static const struct trace_paths paths = {.csv = csv, .json = json, .uart = uart};
 static const struct board board = {.name = "aboard"};
 static struct scenario scenario;
-static struct run_setup setup = {.hex = "an.ihx", .board = &board, .scenario = &scenario, .seed = 3};
+static struct run_setup setup = {
+    .hex = "an.ihx", .board = &board, .scenario = &scenario, .seed = 3};
 static struct run run;
 static struct trace trace;
 
@@ -26,7 +27,8 @@ void setUp(void)
     run.outcome.values[METRIC_MIN_GAP] = 0.25;
     strcpy(scenario.title, "A \"quoted\" title");
     scenario.expect_count = 1;
-    scenario.expect[0] = (struct expectation){.metric = METRIC_MIN_GAP, .op = '>', .limit = 0.5, .text = "0.5"};
+    scenario.expect[0] =
+        (struct expectation){.metric = METRIC_MIN_GAP, .op = '>', .limit = 0.5, .text = "0.5"};
     TEST_ASSERT_EQUAL(EXIT_FINE, trace_open(&trace, &paths, &brake_world));
 }
 
@@ -70,11 +72,11 @@ static void test_that_a_row_is_a_line_of_csv(void)
 {
     two_rows();
     TEST_ASSERT_EQUAL(EXIT_FINE, trace_commit(&trace, &run, &setup));
-    TEST_ASSERT_EQUAL_STRING(
-        "t_s,gap_m,ego_mps,lead_mps,accel_mps2,brake_pct,stop,lamp,buzzer,state,fault,dist_mm,closing_mmps\n"
-        "0.00,,3.0000,,0.000,0.0,0,0,0,,,,\n"
-        "0.01,4.9877,2.5000,0.0000,-1.235,36.0,1,1,0,CONTROL,0,4988,\n",
-        contents(csv));
+    TEST_ASSERT_EQUAL_STRING("t_s,gap_m,ego_mps,lead_mps,accel_mps2,brake_pct,stop,lamp,buzzer,"
+                             "state,fault,dist_mm,closing_mmps\n"
+                             "0.00,,3.0000,,0.000,0.0,0,0,0,,,,\n"
+                             "0.01,4.9877,2.5000,0.0000,-1.235,36.0,1,1,0,CONTROL,0,4988,\n",
+                             contents(csv));
     TEST_ASSERT_NOT_NULL(strstr(contents(uart), "4988"));
 }
 
@@ -104,18 +106,20 @@ static void test_that_the_json_can_be_read_again(void)
     TEST_ASSERT_EQUAL(EXIT_FINE, trace_commit(&trace, &run, &setup));
     root = cJSON_Parse(contents(json));
     TEST_ASSERT_NOT_NULL(root);
-    TEST_ASSERT_EQUAL_STRING(scenario.title, cJSON_GetStringValue(cJSON_GetObjectItem(root, "title")));
+    TEST_ASSERT_EQUAL_STRING(scenario.title,
+                             cJSON_GetStringValue(cJSON_GetObjectItem(root, "title")));
     TEST_ASSERT_EQUAL_STRING("aboard", cJSON_GetStringValue(cJSON_GetObjectItem(root, "board")));
     expect = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "expect"), 0);
     TEST_ASSERT_TRUE(cJSON_IsFalse(cJSON_GetObjectItem(expect, "holds")));
     TEST_ASSERT_EQUAL_STRING("min_gap_m >= 0.5",
                              cJSON_GetStringValue(cJSON_GetObjectItem(expect, "expected")));
-    TEST_ASSERT_TRUE(cJSON_IsNull(
-        cJSON_GetObjectItem(cJSON_GetObjectItem(root, "outcome"), "stop_within_s")));
+    TEST_ASSERT_TRUE(
+        cJSON_IsNull(cJSON_GetObjectItem(cJSON_GetObjectItem(root, "outcome"), "stop_within_s")));
     series = cJSON_GetObjectItem(root, "series");
     TEST_ASSERT_EQUAL(10, cJSON_GetArraySize(series));
-    for (cJSON *one = series->child; one != NULL; one = one->next)
+    for (cJSON *one = series->child; one != NULL; one = one->next) {
         TEST_ASSERT_EQUAL(2, cJSON_GetArraySize(one));
+    }
     TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetArrayItem(cJSON_GetObjectItem(series, "gap_m"), 0)));
     TEST_ASSERT_EQUAL_DOUBLE(
         36, cJSON_GetNumberValue(cJSON_GetArrayItem(cJSON_GetObjectItem(series, "brake_pct"), 1)));

@@ -5,12 +5,13 @@
 #include <string.h>
 #include <unity.h>
 
-static const char sample[] = "$date\n\tSat Nov 21 04:14:39 2026\n$end\n$version\n\tucsim\n$end\n"
-                             "$timescale 1ps $end\n$scope module ucsim_vcd_0 $end\n"
-                             "$var wire 1 ! port1_value.0 $end\n$var wire 1 \" port1_value.2 $end\n"
-                             "$var wire 32 $ sync $end\n$upscope $end\n$enddefinitions $end\n"
-                             "#0\n$dumpvars\n1!\n1\"\nb00000000000000000000000000000000 $\n$end\n"
-                             "#829000000\n1!\n0\"\n#899522569\nb00000000000000000000000000000101 $\n";
+static const char sample[] =
+    "$date\n\tSat Nov 21 04:14:39 2026\n$end\n$version\n\tucsim\n$end\n"
+    "$timescale 1ps $end\n$scope module ucsim_vcd_0 $end\n"
+    "$var wire 1 ! port1_value.0 $end\n$var wire 1 \" port1_value.2 $end\n"
+    "$var wire 32 $ sync $end\n$upscope $end\n$enddefinitions $end\n"
+    "#0\n$dumpvars\n1!\n1\"\nb00000000000000000000000000000000 $\n$end\n"
+    "#829000000\n1!\n0\"\n#899522569\nb00000000000000000000000000000101 $\n";
 
 static struct vcd_reader reader;
 static struct {
@@ -71,7 +72,8 @@ static void test_that_it_does_not_matter_where_the_bytes_are_cut(void)
 
 static void test_that_the_timescale_is_obeyed(void)
 {
-    static const char text[] = "$timescale 10ns $end $var wire 1 ! a $end $enddefinitions $end #7 1! ";
+    static const char text[] =
+        "$timescale 10ns $end $var wire 1 ! a $end $enddefinitions $end #7 1! ";
 
     TEST_ASSERT_TRUE(vcd_feed(&reader, text, strlen(text), note, NULL));
     TEST_ASSERT_EQUAL_INT64(70, changes[0].time_ns);

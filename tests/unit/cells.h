@@ -1,4 +1,5 @@
-/* Every distance and every speed against the quotient that its cell is, for the table of this test. */
+/* Every distance and every speed against the quotient that its cell is, for the table of this test.
+ */
 #ifndef FUZZY51_CELLS_H
 #define FUZZY51_CELLS_H
 
@@ -26,7 +27,8 @@ static void check_cells(void)
     }
     cell = 0;
     for (x = 0; x < 40000U; x++) {
-        if (cell < LUT_IN2_CELLS - 1 && (uint32_t)x * LUT_IN2_CELLS >= (cell + 1U) * LUT_IN2_SPAN_MILLI) {
+        if (cell < LUT_IN2_CELLS - 1 &&
+            (uint32_t)x * LUT_IN2_CELLS >= (cell + 1U) * LUT_IN2_SPAN_MILLI) {
             cell++;
         }
         if (cell_col(x, 0) != cell) {

@@ -103,7 +103,8 @@ static void test_each_distance_gets_its_row_and_from_the_second_reading_on_the_c
         step(RANGE_ECHO, mm, PERIOD_CS);
         if (brake.state != state || brake.brake_pct != pct || brake.stop != (mm <= 1000) ||
             (mm <= 5000 && brake.row != row)) {
-            TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "wrong state, duty or row at this distance in mm");
+            TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm,
+                                             "wrong state, duty or row at this distance in mm");
         }
     }
 }
@@ -145,7 +146,8 @@ static void test_the_second_reading_brakes(void)
     }
 }
 
-/* 21 mm in 60 ms are 350 mm/s, one column. The closing speed's unit of 2 mm/s may cost a column's edge. */
+/* 21 mm in 60 ms are 350 mm/s, one column. The closing speed's unit of 2 mm/s may cost a column's
+ * edge. */
 static void test_each_speed_gets_its_column(void)
 {
     uint16_t step_mm;
@@ -418,9 +420,10 @@ static void test_a_tracked_approach_makes_stop_sure_at_once(void)
 
 /* --- sensor trouble --------------------------------------------------------------------------- */
 
-static const uint8_t __code missing_kinds[] = {RANGE_NOT_RISEN, RANGE_NOT_FALLEN, RANGE_DEAD_ZONE, RANGE_NO_TARGET};
-static const uint8_t __code missing_faults[] = {BRAKE_FAULT_NOT_RISEN, BRAKE_FAULT_NOT_FALLEN, BRAKE_FAULT_DEAD_ZONE,
-                                                BRAKE_FAULT_LOST};
+static const uint8_t
+    __code missing_kinds[] = {RANGE_NOT_RISEN, RANGE_NOT_FALLEN, RANGE_DEAD_ZONE, RANGE_NO_TARGET};
+static const uint8_t __code missing_faults[] = {BRAKE_FAULT_NOT_RISEN, BRAKE_FAULT_NOT_FALLEN,
+                                                BRAKE_FAULT_DEAD_ZONE, BRAKE_FAULT_LOST};
 
 static void test_a_missing_reading_never_lowers_the_brake(void)
 {
@@ -545,8 +548,8 @@ static void test_a_vanished_near_target_is_gone_after_1200_ms(void)
     TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
 }
 
-/* The silence forgets its speed, not that it was there: one or two echoes between missing ones do not
- * make it a target that may leave. */
+/* The silence forgets its speed, not that it was there: one or two echoes between missing ones do
+ * not make it a target that may leave. */
 static void test_a_near_target_does_not_vanish_while_the_sensor_comes_and_goes(void)
 {
     uint8_t echo_count, i;
@@ -642,8 +645,8 @@ static void test_a_stuck_sensor_is_found_at_once_from_800_mmps_on(void)
     }
 }
 
-/* A car that brakes at that many m/s2 to a standstill, before a sensor without noise, in any phase of
- * the sensor; two readings in a row are missing, anywhere. Wheels hold 10 m/s2. */
+/* A car that brakes at that many m/s2 to a standstill, before a sensor without noise, in any phase
+ * of the sensor; two readings in a row are missing, anywhere. Wheels hold 10 m/s2. */
 static void test_a_car_that_has_just_stopped_is_not_stuck(void)
 {
     uint8_t decel, phase_cs, missing;

@@ -1,5 +1,5 @@
-/* cell: every distance and speed of the brake's table, and every axis whose cells two bytes can tell,
- * against the quotient. */
+/* cell: every distance and speed of the brake's table, and every axis whose cells two bytes can
+ * tell, against the quotient. */
 #include <stddef.h>
 #include "unity.h"
 #include "cell.c"

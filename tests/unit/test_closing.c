@@ -49,8 +49,8 @@ static void test_first_reading_has_no_speed(void)
     TEST_ASSERT_EQUAL_UINT16(0, closing_difference.opening_mmps);
 }
 
-/* step mm in 60 ms is step * 50 / 3 mm/s. The difference is off by its unit of 2 mm/s, alpha-beta by a
- * quarter of the millimetre that its place may be off. */
+/* step mm in 60 ms is step * 50 / 3 mm/s. The difference is off by its unit of 2 mm/s, alpha-beta
+ * by a quarter of the millimetre that its place may be off. */
 static void test_every_steady_speed_is_found(void)
 {
     int16_t step;
@@ -68,7 +68,8 @@ static void test_every_steady_speed_is_found(void)
                 TEST_ASSERT_EQUAL_INT16_MESSAGE(0, step, "a steady step in mm was set aside");
             }
         }
-        difference_mmps = is_opening ? closing_difference.opening_mmps : closing_difference.closing_mmps;
+        difference_mmps =
+            is_opening ? closing_difference.opening_mmps : closing_difference.closing_mmps;
         smooth_mmps = is_opening ? closing_smooth.opening_mmps : closing_smooth.closing_mmps;
         if (difference_mmps + 2U < exact_mmps || difference_mmps > exact_mmps + 2U) {
             TEST_ASSERT_EQUAL_UINT16(exact_mmps, difference_mmps);
@@ -89,8 +90,8 @@ static void test_every_steady_speed_is_found(void)
 #define STEP 1
 #endif
 
-/* A target that stood, off by so much: the smooth speed is a quarter of the difference's, to the bit. Its
- * factor is 1 / 16 of 50 / n, times 2^20 and rounded up. */
+/* A target that stood, off by so much: the smooth speed is a quarter of the difference's, to the
+ * bit. Its factor is 1 / 16 of 50 / n, times 2^20 and rounded up. */
 static void test_smooth_takes_a_quarter_of_each_deviation_within_the_gate(void)
 {
     uint8_t period_cs;
@@ -101,13 +102,15 @@ static void test_smooth_takes_a_quarter_of_each_deviation_within_the_gate(void)
 
         for (off = -350; off <= 350; off += STEP) {
             uint16_t apart = (uint16_t)(off < 0 ? -off : off);
-            uint16_t whole_2mmps = (uint16_t)((rate * apart) >> 12), mmps = (uint16_t)(whole_2mmps >> 2 << 1);
+            uint16_t whole_2mmps = (uint16_t)((rate * apart) >> 12),
+                     mmps = (uint16_t)(whole_2mmps >> 2 << 1);
 
             closing_restart();
             update(3000, period_cs);
             update(3000, period_cs);
             update((uint16_t)(3000 + off), period_cs);
-            if (closing_smooth.closing_mmps != (off < 0 ? mmps : 0) || closing_smooth.opening_mmps != (off > 0 ? mmps : 0) ||
+            if (closing_smooth.closing_mmps != (off < 0 ? mmps : 0) ||
+                closing_smooth.opening_mmps != (off > 0 ? mmps : 0) ||
                 closing_difference.closing_mmps != (off < 0 ? whole_2mmps << 1 : 0) ||
                 closing_difference.opening_mmps != (off > 0 ? whole_2mmps << 1 : 0)) {
                 TEST_ASSERT_EQUAL_INT16_MESSAGE(0, off, "mm off: not what the plain product says");
@@ -157,7 +160,8 @@ static void test_a_time_too_short_counts_as_the_shortest(void)
         closing_restart();
         update(3000, CLOSING_ELAPSED_MIN_CS);
         TEST_ASSERT_TRUE(update(2900, elapsed_cs));
-        TEST_ASSERT_UINT16_WITHIN(2, 100U * 100U / CLOSING_ELAPSED_MIN_CS, closing_difference.closing_mmps);
+        TEST_ASSERT_UINT16_WITHIN(2, 100U * 100U / CLOSING_ELAPSED_MIN_CS,
+                                  closing_difference.closing_mmps);
     }
 }
 
@@ -184,7 +188,8 @@ static void test_gate_opens_with_the_third_reading_and_at_its_limit(void)
         read_at(3000);
         read_at(3000);
         if (read_at((uint16_t)(3000 + off)) != expected) {
-            TEST_ASSERT_EQUAL_INT16_MESSAGE(350, off, "mm off: believed, or not, on the wrong side");
+            TEST_ASSERT_EQUAL_INT16_MESSAGE(350, off,
+                                            "mm off: believed, or not, on the wrong side");
         }
     }
 }

@@ -7,9 +7,13 @@
 #include <math.h>
 #endif
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void expect_polar(int16_t across, int16_t along, uint16_t length, int16_t angle)
 {
@@ -57,9 +61,10 @@ static void test_whole_domain_against_libm(void)
             double length = hypot(across, along);
             cordic_to_polar((int16_t)across, (int16_t)along);
             TEST_ASSERT_DOUBLE_WITHIN(9, length * CORDIC_GAIN, cordic_polar.length);
-            if (length >= 300)
+            if (length >= 300) {
                 TEST_ASSERT_DOUBLE_WITHIN(9, atan2(across, along) * 32768 / 3.14159265358979,
                                           cordic_polar.angle);
+            }
         }
     }
 }

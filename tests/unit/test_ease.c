@@ -23,7 +23,9 @@ void setUp(void)
     closing(0);
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_closing_from_874_mmps_gets_the_whole_table(void)
 {

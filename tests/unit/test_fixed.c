@@ -3,9 +3,13 @@
 #include "unity.h"
 #include "fixed.h"
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_mul_u8_is_the_whole_product(void)
 {

@@ -3,9 +3,13 @@
 #include <stddef.h>
 #include "unity.h"
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_five_metres_at_twenty_mps_needs_the_sign(void)
 {

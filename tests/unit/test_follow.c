@@ -13,7 +13,9 @@ void setUp(void)
     follow_init();
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void situation(uint16_t gap_mm, int16_t closing_mmps, bool lane_is_taken)
 {
@@ -45,8 +47,9 @@ static void test_spot_values_are_the_printed_ones(void)
         int8_t command_x2 = spots[i].command_x2;
 
 #if !FOLLOW_YIELDS
-        if (spots[i].gap_cm == 50 && spots[i].closing_cmps == 50)
+        if (spots[i].gap_cm == 50 && spots[i].closing_cmps == 50) {
             command_x2 = 0;
+        }
 #endif
         situation((uint16_t)(spots[i].gap_cm * 10), (int16_t)(spots[i].closing_cmps * 10), false);
         TEST_ASSERT_EQUAL_INT8(command_x2, follow.command_x2);
@@ -183,14 +186,18 @@ static void decide(int gap_mm, int closing_mmps, int *command_x2, int *change_x2
     int command_is[3] = {0}, change_is[2] = {0};
     int to_change_mm = gap_mm - 1000;
 
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 5; i++) {
         gap[i] = hat(gap_mm, 1000 + 2000 * i, 2000);
-    if (gap_mm < 1000)
+    }
+    if (gap_mm < 1000) {
         gap[0] = 1000000;
-    if (gap_mm > 9000)
+    }
+    if (gap_mm > 9000) {
         gap[4] = 1000000;
-    for (int i = 0; i < 3; i++)
+    }
+    for (int i = 0; i < 3; i++) {
         closing[i] = hat(closing_mmps, 2000 * (i - 1), 2000);
+    }
     change[0] = to_change_mm <= -100 ? 1000000 : hat(to_change_mm, -100, 100);
     change[1] = hat(to_change_mm, 0, 100);
     change[2] = to_change_mm >= 100 ? 1000000 : hat(to_change_mm, 100, 100);
@@ -223,10 +230,12 @@ static void decide(int gap_mm, int closing_mmps, int *command_x2, int *change_x2
     int low = 0, high = 2;
     int most = command_is[0] > command_is[1] ? command_is[0] : command_is[1];
     most = command_is[2] > most ? command_is[2] : most;
-    while (command_is[low] != most)
+    while (command_is[low] != most) {
         low++;
-    while (command_is[high] != most)
+    }
+    while (command_is[high] != most) {
         high--;
+    }
     *command_x2 = low + high - 2;
     *change_x2 = change_is[0] == change_is[1] ? 1 : change_is[1] > change_is[0] ? 2 : 0;
 }

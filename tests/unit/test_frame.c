@@ -23,12 +23,14 @@ static void encode(uint8_t kind, uint8_t count)
         for (bit = 0; bit < 8; bit++) {
             uint8_t differs = (uint8_t)((crc >> 15) ^ (byte >> 7));
             crc = (uint16_t)(crc << 1);
-            if (differs)
+            if (differs) {
                 crc ^= 0x1021;
+            }
             byte = (uint8_t)(byte << 1);
         }
-        if (at != 0)
+        if (at != 0) {
             body[at - 1] = payload[at - 1];
+        }
     }
     body[PAYLOAD_BYTES] = (uint8_t)(crc >> 8);
     body[PAYLOAD_BYTES + 1] = (uint8_t)crc;
@@ -38,9 +40,11 @@ static void encode(uint8_t kind, uint8_t count)
         if (in % 7 == 0) {
             out++;
             line[out] = 0;
-            for (bit = 0; bit < 7 && in + bit < PAYLOAD_BYTES + 2; bit++)
-                if (body[in + bit] & 0x80)
+            for (bit = 0; bit < 7 && in + bit < PAYLOAD_BYTES + 2; bit++) {
+                if (body[in + bit] & 0x80) {
                     line[out] |= (uint8_t)(1 << bit);
+                }
+            }
         }
         out++;
         line[out] = body[in] & 0x7F;
@@ -54,8 +58,9 @@ static uint8_t push(uint8_t from, uint8_t to)
 
     for (; from < to; from++) {
         uint8_t result = frame_push(line[from]);
-        if (result > worst)
+        if (result > worst) {
             worst = result;
+        }
     }
     return worst;
 }
@@ -66,14 +71,17 @@ void setUp(void)
     encode(FRAME_PARK, 3);
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_check_sum_is_the_published_one(void)
 {
     uint8_t high = 0xFF, low = 0xFF, digit;
 
-    for (digit = '1'; digit <= '9'; digit++)
+    for (digit = '1'; digit <= '9'; digit++) {
         CRC16_ADD(high, low, digit);
+    }
 
     TEST_ASSERT_EQUAL_UINT8(0x29, high);
     TEST_ASSERT_EQUAL_UINT8(0xB1, low);
@@ -86,8 +94,9 @@ static void test_a_good_frame_comes_out_as_it_was_sent(void)
     TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, LINE_BYTES - 1));
     TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[LINE_BYTES - 1]));
 
-    for (at = 0; at < PAYLOAD_BYTES; at++)
+    for (at = 0; at < PAYLOAD_BYTES; at++) {
         TEST_ASSERT_EQUAL_UINT8(payload[at], frame_body[at]);
+    }
     TEST_ASSERT_EQUAL_UINT16(0x00FF, frame_u16(0));
     TEST_ASSERT_EQUAL_UINT16(0x12A5, frame_u16(4));
     TEST_ASSERT_TRUE(frame_i24(0) == 0x00FF80L);
@@ -100,8 +109,9 @@ static void test_only_the_start_byte_has_bit_7(void)
     uint8_t at;
 
     TEST_ASSERT_TRUE(line[0] & 0x80);
-    for (at = 1; at < LINE_BYTES; at++)
+    for (at = 1; at < LINE_BYTES; at++) {
         TEST_ASSERT_FALSE(line[at] & 0x80);
+    }
 }
 
 static void test_each_flipped_bit_is_found(void)
@@ -127,8 +137,9 @@ static void test_two_exchanged_bytes_are_found(void)
 
     for (at = 1; at + 1 < LINE_BYTES; at++) {
         uint8_t first = line[at];
-        if (first == line[at + 1])
+        if (first == line[at + 1]) {
             continue;
+        }
         frame_init(FRAME_PARK, PAYLOAD_BYTES);
         line[at] = line[at + 1];
         line[at + 1] = first;

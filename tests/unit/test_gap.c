@@ -18,7 +18,9 @@ void setUp(void)
     gap_init();
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void situation(uint16_t gap_cm, uint16_t own_cmps, uint16_t lead_cmps, int16_t lead_cmps2)
 {
@@ -250,10 +252,12 @@ static void test_a_node_is_met_exactly(void)
 {
     uint8_t row, col;
 
-    for (row = 0; row < LUT_IN1_CELLS; row++)
-        for (col = 0; col < LUT_IN2_CELLS; col++)
+    for (row = 0; row < LUT_IN1_CELLS; row++) {
+        for (col = 0; col < LUT_IN2_CELLS; col++) {
             TEST_ASSERT_EQUAL_UINT8(lut_at(row, col), lut_between((uint16_t)((uint16_t)row << 8),
                                                                   (uint16_t)((uint16_t)col << 8)));
+        }
+    }
 }
 
 /* 256 * 256 times the plane through the four nodes around. */
@@ -327,8 +331,9 @@ static double clamped(double x, double low, double high)
 /* A triangle of the tables/gap.fis, by its peak and the feet beside it. */
 static double triangle(double x, double a, double b, double c)
 {
-    if (x <= a || x >= c)
+    if (x <= a || x >= c) {
         return 0;
+    }
     return x <= b ? (x - a) / (b - a) : (c - x) / (c - b);
 }
 
@@ -367,11 +372,13 @@ static double accel_mps2(double gap_m, double own_mps, double lead_mps, double l
 {
     double v = own_mps, safe_m, h, lq;
 
-    if (lead_mps > 0.05 && lead_mps2 >= -0.2)
+    if (lead_mps > 0.05 && lead_mps2 >= -0.2) {
         v = fmax(own_mps - lead_mps, 0);
+    }
     safe_m = v * 0.9 + v * v / 12;
-    if (lead_mps > 0.05 && lead_mps2 < -0.2)
+    if (lead_mps > 0.05 && lead_mps2 < -0.2) {
         safe_m = fmax(0, safe_m - lead_mps * lead_mps / 12);
+    }
     safe_m += 5;
     h = 0.9 + v / 6;
     lq = clamped(-0.3 * (safe_m - gap_m) - (own_mps - lead_mps) / h, -8, 8);
@@ -381,13 +388,15 @@ static double accel_mps2(double gap_m, double own_mps, double lead_mps, double l
 
 static void test_floating_point_laws_give_the_printed_values(void)
 {
-    for (size_t i = 0; i < sizeof spots / sizeof spots[0]; i++)
+    for (size_t i = 0; i < sizeof spots / sizeof spots[0]; i++) {
         WITHIN(0.0006, spots[i].float_mmps2 / 1000.0,
                accel_mps2(spots[i].gap_m, spots[i].own_mps, spots[i].lead_mps,
                           spots[i].state == 3 ? -6 : 0));
-    for (size_t i = 0; i < sizeof fuzzy_spots / sizeof fuzzy_spots[0]; i++)
+    }
+    for (size_t i = 0; i < sizeof fuzzy_spots / sizeof fuzzy_spots[0]; i++) {
         WITHIN(0.0006, fuzzy_spots[i].accel_mmps2 / 1000.0,
                fuzzy_mps2(fuzzy_spots[i].room / 1000.0, fuzzy_spots[i].opening / 1000.0));
+    }
 }
 
 static void test_integers_are_the_laws_to_0_17_mps2(void)
@@ -438,27 +447,31 @@ static struct run run(int number, bool integer)
                 u_mps2 = gap.accel_cmps2 / 100.0;
             } else {
                 u_mps2 = accel_mps2(gap_m, own_mps, lead_mps, lead_mps2);
-                if (own_mps < 0.3 && u_mps2 < 0)
+                if (own_mps < 0.3 && u_mps2 < 0) {
                     u_mps2 = fmin(u_mps2, -0.3);
+                }
             }
-            if (step == 0)
+            if (step == 0) {
                 r.first_mps2 = u_mps2;
+            }
         }
         if (own_mps - lead_mps > apart_mps) {
             apart_mps = own_mps - lead_mps;
             r.apart_s = step * 0.01;
         }
         a_mps2 += (u_mps2 - a_mps2) * 0.01 / 0.2;
-        if (step == 40)
+        if (step == 40) {
             r.at_0_4_mps2 = a_mps2;
+        }
         if (a_mps2 < r.least_mps2) {
             r.least_mps2 = a_mps2;
             r.least_s = step * 0.01;
         }
         own_mps = fmax(0, own_mps + a_mps2 * 0.01);
         r.fastest_mps = fmax(r.fastest_mps, own_mps);
-        if (number == 3)
+        if (number == 3) {
             lead_mps = fmax(0, lead_mps - 0.06);
+        }
         gap_m += (lead_mps - own_mps) * 0.01;
         r.end_s = (step + 1) * 0.01;
         r.last_mps2 = u_mps2;
@@ -523,15 +536,17 @@ static void test_safe_distance_is_exact_for_every_speed(void)
             gap.own_cmps = (uint16_t)own_cmps;
             gap.lead_cmps = (uint16_t)lead_cmps;
             gap.lead = GAP_LEAD_BRAKES;
-            if (gap_safe_cm() != 500 + (thinking + braking > 0 ? thinking + braking : 0))
+            if (gap_safe_cm() != 500 + (thinking + braking > 0 ? thinking + braking : 0)) {
                 TEST_FAIL_MESSAGE("a braking lead");
+            }
         }
     }
     for (int own_cmps = 0; own_cmps <= 5000; own_cmps++) {
         gap.own_cmps = (uint16_t)own_cmps;
         gap.lead = GAP_LEAD_STANDS;
-        if (gap_safe_cm() != 500 + own_cmps * 9 / 10 + own_cmps * own_cmps / 1200)
+        if (gap_safe_cm() != 500 + own_cmps * 9 / 10 + own_cmps * own_cmps / 1200) {
             TEST_FAIL_MESSAGE("a standing lead");
+        }
     }
 }
 

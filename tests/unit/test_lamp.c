@@ -49,7 +49,8 @@ static void test_a_number_can_be_counted(void)
     uint8_t n;
 
     for (n = 2; n <= 9; n++) {
-        uint16_t period = (uint16_t)(n * 50U + 75U); /* the last dark quarter is part of the pause */
+        uint16_t period =
+            (uint16_t)(n * 50U + 75U); /* the last dark quarter is part of the pause */
 
         lamp_tick(LAMP_OFF);
         TEST_ASSERT_EQUAL_UINT8(n, flashes(n, period));

@@ -10,9 +10,13 @@
 
 #define BEND_UPM 1993 /* 1 / 501.875 m */
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 /* 65,536ths of a turn from thousandths of a degree, toward zero. */
 static int16_t turns(int16_t millideg)
@@ -28,10 +32,10 @@ static void expect_lane(uint16_t range_cm, int16_t outer_millideg, int16_t inner
     TEST_ASSERT_TRUE(lane_is_own(range_cm, turns((int16_t)(inner_millideg - 50)), BEND_UPM));
     TEST_ASSERT_FALSE(lane_is_own(range_cm, turns((int16_t)(inner_millideg + 50)), BEND_UPM));
     /* The bend the other way is the mirror image. */
-    TEST_ASSERT_FALSE(lane_is_own(range_cm, turns((int16_t) - (outer_millideg - 50)), -BEND_UPM));
-    TEST_ASSERT_TRUE(lane_is_own(range_cm, turns((int16_t) - (outer_millideg + 50)), -BEND_UPM));
-    TEST_ASSERT_TRUE(lane_is_own(range_cm, turns((int16_t) - (inner_millideg - 50)), -BEND_UPM));
-    TEST_ASSERT_FALSE(lane_is_own(range_cm, turns((int16_t) - (inner_millideg + 50)), -BEND_UPM));
+    TEST_ASSERT_FALSE(lane_is_own(range_cm, turns((int16_t)-(outer_millideg - 50)), -BEND_UPM));
+    TEST_ASSERT_TRUE(lane_is_own(range_cm, turns((int16_t)-(outer_millideg + 50)), -BEND_UPM));
+    TEST_ASSERT_TRUE(lane_is_own(range_cm, turns((int16_t)-(inner_millideg - 50)), -BEND_UPM));
+    TEST_ASSERT_FALSE(lane_is_own(range_cm, turns((int16_t)-(inner_millideg + 50)), -BEND_UPM));
 }
 
 static void test_published_angles(void)
@@ -62,9 +66,10 @@ static void test_what_cannot_be_judged_is_not_ours(void)
 #ifndef __SDCC_mcs51
 static void test_sine_is_right_to_five(void)
 {
-    for (uint16_t angle = 0; angle <= LANE_AZIMUTH_MAX; angle++)
+    for (uint16_t angle = 0; angle <= LANE_AZIMUTH_MAX; angle++) {
         TEST_ASSERT_DOUBLE_WITHIN(5, 65536 * sin(angle * 3.14159265358979 / 32768),
                                   lane_sine_q16(angle));
+    }
 }
 
 /* Every verdict, but those on targets within 3 cm of a line. */
@@ -77,16 +82,18 @@ static void test_verdicts_are_those_of_the_formula(void)
         for (uint16_t range_cm = 100; range_cm <= LANE_RANGE_MAX_CM;
              range_cm = (uint16_t)(range_cm + 163)) {
             double curvature = curvatures_upm[c] * 1e-6, range = range_cm / 100.0;
-            if (fabs(range * curvature) > 0.67)
+            if (fabs(range * curvature) > 0.67) {
                 continue;
+            }
             for (int16_t azimuth = -LANE_AZIMUTH_MAX; azimuth <= LANE_AZIMUTH_MAX; azimuth++) {
                 double side = curvature < 0 ? -1 : 1;
                 double y = side * range * sin(azimuth * 3.14159265358979 / 32768);
                 double off = fabs(y - range * range * fabs(curvature) / 2 +
                                   3.75 * 3.75 / 8 * fabs(curvature));
-                if (fabs(off - 1.875) > 0.03)
+                if (fabs(off - 1.875) > 0.03) {
                     TEST_ASSERT_EQUAL(off <= 1.875,
                                       lane_is_own(range_cm, azimuth, curvatures_upm[c]));
+                }
             }
         }
     }

@@ -12,7 +12,9 @@ void setUp(void)
     law_step(LAW_NEW, LAW_FAR_MM); /* not braking */
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 /* v * 0.3 s + v^2 / (2 * 6.4 m/s2) + 1 m, by hand. */
 static void test_safe_distance_by_hand(void)

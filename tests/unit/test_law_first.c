@@ -12,7 +12,9 @@ void setUp(void)
     brake_init(BRAKE_FAULT_NONE);
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_full_brake_at_first_sight(void)
 {

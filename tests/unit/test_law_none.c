@@ -12,7 +12,9 @@ void setUp(void)
     brake_init(BRAKE_FAULT_NONE);
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void check(void)
 {

@@ -8,7 +8,9 @@ void setUp(void)
     link_init(LINK_WAITING, 0);
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void bring_up(uint16_t now_ms)
 {
@@ -71,8 +73,9 @@ static void test_bad_frames_are_no_sign_of_life(void)
     uint16_t now_ms;
 
     bring_up(0);
-    for (now_ms = 20; now_ms < 220; now_ms += 20)
+    for (now_ms = 20; now_ms < 220; now_ms += 20) {
         link_bad();
+    }
     TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(220));
 }
 

@@ -4,9 +4,13 @@
 #include "unity.h"
 #include "lut.h"
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 /* By hand: only "very large" holds, to the full. Over 101 samples its memberships sum to 25.5 and
  * their moments to 2200.17, which is 86.28. */

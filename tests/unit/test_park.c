@@ -30,7 +30,9 @@ void setUp(void)
     park_init();
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 /* Thousandths of a degree; the printed float values are met to 0.15 degrees, 27 of 65,536. */
 static void expect_angle(int32_t millideg, int16_t theta)
@@ -179,8 +181,9 @@ static double law_deg(double x_m, double y_m, double psi_deg)
     double near_deg = x_m / 8 * DEG + delta_deg;
     double w = fmin(fmax((hypot(x_m, y_m) - 3) / 4, 0), 1);
 
-    if (fabs(delta_deg) > 179.9 || fabs(off_line_deg) > 179.9)
+    if (fabs(delta_deg) > 179.9 || fabs(off_line_deg) > 179.9) {
         return NAN;
+    }
     return w * fmin(fmax(far_deg, -45), 45) + (1 - w) * fmin(fmax(near_deg, -45), 45);
 }
 
@@ -196,10 +199,11 @@ static void test_laws_against_floating_point(void)
                 park_steer();
                 theta_deg = law_deg(park.x / 512.0, park.y / 512.0, park.heading * 360.0 / 65536);
                 states++;
-                if (isnan(theta_deg))
+                if (isnan(theta_deg)) {
                     ties++;
-                else
+                } else {
                     TEST_ASSERT_DOUBLE_WITHIN(0.4, theta_deg, park.theta * 360.0 / 65536);
+                }
             }
         }
     }

@@ -54,7 +54,9 @@ void setUp(void)
     radar_init();
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 /* Range, closing speed, levels of both, and the table's byte. */
 static void expect_level(uint16_t range_cm, int16_t closing_dkmh, int8_t e, int8_t c, uint8_t level)

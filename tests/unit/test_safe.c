@@ -3,9 +3,13 @@
 #include <stddef.h>
 #include "unity.h"
 
-void setUp(void) {}
+void setUp(void)
+{
+}
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_spot_values(void)
 {
@@ -43,8 +47,9 @@ static void test_it_is_the_formula_to_two_centimetres(void)
     for (uint16_t own_dkmh = 0; own_dkmh <= SAFE_SPEED_MAX_DKMH; own_dkmh++) {
         double own_mps = own_dkmh / 36.0;
         double safe_cm = (own_mps * 2.5 + own_mps * own_mps * (1 / 5.0 - 1 / 13.0) + 5) * 100;
-        if (safe_cm > 65535)
+        if (safe_cm > 65535) {
             safe_cm = 65535;
+        }
         TEST_ASSERT_DOUBLE_WITHIN(2.2, safe_cm, safe_distance_cm(own_dkmh));
     }
 }

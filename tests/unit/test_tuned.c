@@ -28,7 +28,9 @@ void setUp(void)
     ease_restart();
 }
 
-void tearDown(void) {}
+void tearDown(void)
+{
+}
 
 static void test_every_distance_and_speed_lies_in_its_cell(void)
 {

@@ -12,14 +12,15 @@ enum { SUCCESSORS = 64, NONE = -1 };
 struct node {
     uint16_t address;
     struct instruction it;
-    int depth; /* bytes on the stack before it, of this function's own */
+    int depth;        /* bytes on the stack before it, of this function's own */
     int first, count; /* its successors */
 };
 
 /* A function: all that is reached from its entry without calls. Code that several functions jump to
  * belongs to each of them. */
 struct function {
-    struct node *nodes; /* the first one is no instruction: it leads to the entry, and nothing to it */
+    struct node
+        *nodes; /* the first one is no instruction: it leads to the entry, and nothing to it */
     int node_count, node_room;
     int *successors;
     int successor_count, successor_room;
@@ -31,12 +32,14 @@ struct function {
 
 static void *grow(void *array, int count, int *room, size_t size)
 {
-    if (count < *room)
+    if (count < *room) {
         return array;
+    }
     *room = *room == 0 ? 64 : 2 * *room;
     array = realloc(array, (size_t)*room * size);
-    if (array == NULL)
+    if (array == NULL) {
         abort();
+    }
     return array;
 }
 
@@ -52,13 +55,16 @@ static bool complain(const struct flow *flow, uint16_t address, const char *what
     return false;
 }
 
-/* --- graph -------------------------------------------------------------------------------------- */
+/* --- graph --------------------------------------------------------------------------------------
+ */
 
 static int add_node(struct function *function, int16_t *index, uint16_t address, int depth)
 {
-    if (index[address] != NONE)
+    if (index[address] != NONE) {
         return index[address];
-    function->nodes = grow(function->nodes, function->node_count, &function->node_room, sizeof *function->nodes);
+    }
+    function->nodes =
+        grow(function->nodes, function->node_count, &function->node_room, sizeof *function->nodes);
     function->nodes[function->node_count] = (struct node){.address = address, .depth = depth};
     index[address] = (int16_t)function->node_count;
     return function->node_count++;
@@ -66,12 +72,13 @@ static int add_node(struct function *function, int16_t *index, uint16_t address,
 
 static void add_successor(struct function *function, int node)
 {
-    function->successors =
-        grow(function->successors, function->successor_count, &function->successor_room, sizeof(int));
+    function->successors = grow(function->successors, function->successor_count,
+                                &function->successor_room, sizeof(int));
     function->successors[function->successor_count++] = node;
 }
 
-/* Where `jmp @a+dptr` may go: SDCC's switch, a table of ljmp right behind it that dptr points to. */
+/* Where `jmp @a+dptr` may go: SDCC's switch, a table of ljmp right behind it that dptr points to.
+ */
 static int switch_targets(const struct flow *flow, uint16_t address, uint16_t targets[SUCCESSORS])
 {
     const uint8_t *code = flow->hex->code;
@@ -79,8 +86,9 @@ static int switch_targets(const struct flow *flow, uint16_t address, uint16_t ta
     int count = 0;
 
     if (code[(uint16_t)(address - 3)] != 0x90 || /* mov dptr,#table */
-        (code[(uint16_t)(address - 2)] << 8 | code[(uint16_t)(address - 1)]) != table)
+        (code[(uint16_t)(address - 2)] << 8 | code[(uint16_t)(address - 1)]) != table) {
         return 0;
+    }
     while (count < SUCCESSORS && code[table] == 0x02) {
         targets[count++] = table;
         table = (uint16_t)(table + 3);
@@ -94,8 +102,9 @@ static bool follow_call(struct flow *flow, struct function *function, const stru
 {
     const struct function *callee;
 
-    if (!follow_function(flow, node->it.target))
+    if (!follow_function(flow, node->it.target)) {
         return false;
+    }
     callee = flow->functions[node->it.target];
     if (node->depth + callee->stack > function->stack) {
         function->stack = node->depth + callee->stack;
@@ -110,23 +119,32 @@ static bool note_effects(struct flow *flow, struct function *function, const str
     const uint8_t *code = &flow->hex->code[node->address];
 
     if (node->it.writes_sp) {
-        if (code[0] != 0x75 || (flow->stack_base >= 0 && flow->stack_base != code[2]) || node->depth != 0)
-            return complain(flow, node->address, "the stack pointer is moved; use no variable arguments and no --stack-auto");
+        if (code[0] != 0x75 || (flow->stack_base >= 0 && flow->stack_base != code[2]) ||
+            node->depth != 0) {
+            return complain(
+                flow, node->address,
+                "the stack pointer is moved; use no variable arguments and no --stack-auto");
+        }
         flow->stack_base = code[2];
     }
-    if (code[0] == 0xD2 && code[1] >= 0xB8 && code[1] <= 0xBD) /* setb IP.n */
+    if (code[0] == 0xD2 && code[1] >= 0xB8 && code[1] <= 0xBD) { /* setb IP.n */
         flow->high |= (uint8_t)(1 << (code[1] - 0xB8));
-    if (node->depth + node->it.push > function->stack)
+    }
+    if (node->depth + node->it.push > function->stack) {
         function->stack = node->depth + node->it.push;
-    if (node->depth + node->it.push < 0)
+    }
+    if (node->depth + node->it.push < 0) {
         return complain(flow, node->address, "pops what it has not pushed");
-    if (node->it.course == COURSE_RETURN && node->depth != 0)
+    }
+    if (node->it.course == COURSE_RETURN && node->depth != 0) {
         return complain(flow, node->address, "returns with bytes left on the stack");
+    }
     return node->it.course != COURSE_CALL || follow_call(flow, function, node);
 }
 
 /* Where control may go after NODE. */
-static int targets_of(const struct flow *flow, const struct node *node, uint16_t targets[SUCCESSORS])
+static int targets_of(const struct flow *flow, const struct node *node,
+                      uint16_t targets[SUCCESSORS])
 {
     uint16_t next = (uint16_t)(node->address + node->it.bytes);
 
@@ -156,14 +174,18 @@ static bool follow_node(struct flow *flow, struct function *function, int16_t *i
     struct node node = function->nodes[at];
     int count;
 
-    if (!flow->hex->used[node.address])
+    if (!flow->hex->used[node.address]) {
         return complain(flow, node.address, "runs out of the code");
+    }
     node.it = opcode_decode(flow->hex->code, node.address);
-    if (!note_effects(flow, function, &node))
+    if (!note_effects(flow, function, &node)) {
         return false;
+    }
     count = targets_of(flow, &node, targets);
-    if (node.it.course == COURSE_UNKNOWN && count == 0)
-        return complain(flow, node.address, "jumps or calls through a pointer; call the function by its name");
+    if (node.it.course == COURSE_UNKNOWN && count == 0) {
+        return complain(flow, node.address,
+                        "jumps or calls through a pointer; call the function by its name");
+    }
     memset(&flow->is_code[node.address], true, node.it.bytes);
     node.first = function->successor_count;
     node.count = count;
@@ -171,8 +193,9 @@ static bool follow_node(struct flow *flow, struct function *function, int16_t *i
     for (int i = 0; i < count; i++) {
         int next = add_node(function, index, targets[i], node.depth + node.it.push);
 
-        if (function->nodes[next].depth != node.depth + node.it.push)
+        if (function->nodes[next].depth != node.depth + node.it.push) {
             return complain(flow, targets[i], "is reached with different stacks");
+        }
         add_successor(function, next);
     }
     return true;
@@ -184,12 +207,15 @@ static bool follow_function(struct flow *flow, uint16_t entry)
     int16_t *index;
     bool is_good = true;
 
-    if (function != NULL)
-        return function->is_done || complain(flow, entry, "calls itself; a function on this chip has one set of locals");
+    if (function != NULL) {
+        return function->is_done ||
+               complain(flow, entry, "calls itself; a function on this chip has one set of locals");
+    }
     function = calloc(1, sizeof *function);
     index = malloc(HEX_CODE_SIZE * sizeof *index);
-    if (function == NULL || index == NULL)
+    if (function == NULL || index == NULL) {
         abort();
+    }
     memset(index, 0xFF, HEX_CODE_SIZE * sizeof *index); /* NONE */
     flow->functions[entry] = function;
     function->deepest = NONE;
@@ -198,8 +224,9 @@ static bool follow_function(struct flow *flow, uint16_t entry)
     index[entry] = NONE;
     function->nodes[0].count = 1;
     add_successor(function, add_node(function, index, entry, 0));
-    for (int i = 1; i < function->node_count && is_good; i++)
+    for (int i = 1; i < function->node_count && is_good; i++) {
         is_good = follow_node(flow, function, index, i);
+    }
     free(index);
     function->stack += FLOW_RETURN_ADDRESS;
     function->is_done = is_good;
@@ -216,20 +243,24 @@ bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry)
 
 bool flow_follow(struct flow *flow)
 {
-    if (!follow_function(flow, 0))
+    if (!follow_function(flow, 0)) {
         return false;
-    if (flow->stack_base < 0)
+    }
+    if (flow->stack_base < 0) {
         return complain(flow, 0, "no start-up sets the stack pointer");
+    }
     /* Where a vector is not used, a reti may stand, or nothing, or what the reset has led to. */
     for (int n = 0; n < FLOW_INTERRUPTS; n++) {
         uint16_t vector = (uint16_t)(8 * n + 3), entry;
 
-        if (!flow->hex->used[vector] || flow->is_code[vector] || flow->hex->code[vector] != 0x02)
+        if (!flow->hex->used[vector] || flow->is_code[vector] || flow->hex->code[vector] != 0x02) {
             continue;
+        }
         flow->vectors |= (uint8_t)(1 << n);
         flow_interrupt(flow, n, &entry);
-        if (!follow_function(flow, entry))
+        if (!follow_function(flow, entry)) {
             return false;
+        }
     }
     return true;
 }
@@ -244,16 +275,17 @@ long flow_deepest(const struct flow *flow, uint16_t entry)
     return flow->functions[entry]->deepest;
 }
 
-/* --- cycles ------------------------------------------------------------------------------------- */
+/* --- cycles -------------------------------------------------------------------------------------
+ */
 
 /* The search for the longest path through part of a function. */
 struct search {
     struct flow *flow;
     const struct function *function;
-    int *part;       /* of each node: the innermost loop under way that holds it; 0: the function */
+    int *part; /* of each node: the innermost loop under way that holds it; 0: the function */
     int parts;
     bool *is_claimed; /* its source line's `rounds:` is another loop's */
-    long endless;    /* a turn of the loop that nothing leaves; NONE: there is none */
+    long endless;     /* a turn of the loop that nothing leaves; NONE: there is none */
 };
 
 /* Strongly connected components of one part, by Tarjan's algorithm. */
@@ -280,15 +312,19 @@ static void visit(struct components *found, int at)
     for (int i = node->first; i < node->first + node->count; i++) {
         int to = function->successors[i];
 
-        if (!is_edge(found, to))
+        if (!is_edge(found, to)) {
             continue;
-        if (found->order[to] == 0)
+        }
+        if (found->order[to] == 0) {
             visit(found, to);
-        if (found->component[to] == NONE && found->low[to] < found->low[at])
+        }
+        if (found->component[to] == NONE && found->low[to] < found->low[at]) {
             found->low[at] = found->low[to];
+        }
     }
-    if (found->low[at] < found->order[at])
+    if (found->low[at] < found->order[at]) {
         return;
+    }
     do {
         int member = found->stack[--found->depth];
 
@@ -305,28 +341,35 @@ static bool is_loop(const struct components *found, const int *members, int coun
     const struct function *function = found->search->function;
     const struct node *node = &function->nodes[members[0]];
 
-    if (count > 1)
+    if (count > 1) {
         return true;
-    for (int i = node->first; i < node->first + node->count; i++)
-        if (function->successors[i] == members[0] && members[0] != found->header)
+    }
+    for (int i = node->first; i < node->first + node->count; i++) {
+        if (function->successors[i] == members[0] && members[0] != found->header) {
             return true;
+        }
+    }
     return false;
 }
 
-/* Whether a turn of a loop begins or ends with the instruction AT: its header, or a jump back to that. */
+/* Whether a turn of a loop begins or ends with the instruction AT: its header, or a jump back to
+ * that. */
 static bool is_turning(const struct search *search, int at, int header)
 {
     const struct node *node = &search->function->nodes[at];
 
-    for (int i = node->first; i < node->first + node->count; i++)
-        if (search->function->successors[i] == header)
+    for (int i = node->first; i < node->first + node->count; i++) {
+        if (search->function->successors[i] == header) {
             return true;
+        }
+    }
     return at == header;
 }
 
-/* What the source says of how often the loop of these nodes goes round, on the line where it turns. A
- * line speaks for one loop: the innermost that asks. */
-static bool find_rounds(struct search *search, const int *members, int count, int header, long *rounds)
+/* What the source says of how often the loop of these nodes goes round, on the line where it turns.
+ * A line speaks for one loop: the innermost that asks. */
+static bool find_rounds(struct search *search, const int *members, int count, int header,
+                        long *rounds)
 {
     const struct listing *listing = search->flow->listing;
     const struct node *nodes = search->function->nodes;
@@ -337,21 +380,27 @@ static bool find_rounds(struct search *search, const int *members, int count, in
         uint16_t address = nodes[members[i]].address;
 
         if (search->is_claimed[members[i]] || listing->rounds[address] == LISTING_NO_BOUND ||
-            !is_turning(search, members[i], header))
+            !is_turning(search, members[i], header)) {
             continue;
-        if (*rounds != LISTING_NO_BOUND && *rounds != listing->rounds[address])
-            return complain(search->flow, address, "two different `rounds:` for one loop; keep one");
+        }
+        if (*rounds != LISTING_NO_BOUND && *rounds != listing->rounds[address]) {
+            return complain(search->flow, address,
+                            "two different `rounds:` for one loop; keep one");
+        }
         *rounds = listing->rounds[address];
         place = listing->places[address];
     }
-    if (place == NULL)
-        return complain(search->flow, nodes[header].address,
-                        "a loop without a bound; write /* rounds: N */ on the line of its condition");
+    if (place == NULL) {
+        return complain(
+            search->flow, nodes[header].address,
+            "a loop without a bound; write /* rounds: N */ on the line of its condition");
+    }
     for (int i = 0; i < search->function->node_count; i++) {
         const char *other = listing->places[nodes[i].address];
 
-        if (other != NULL && strcmp(other, place) == 0)
+        if (other != NULL && strcmp(other, place) == 0) {
             search->is_claimed[i] = true;
+        }
     }
     return true;
 }
@@ -361,17 +410,20 @@ static bool is_endless(const struct search *search, const int *members, int coun
     for (int i = 0; i < count; i++) {
         const struct node *node = &search->function->nodes[members[i]];
 
-        if (node->it.course == COURSE_RETURN)
+        if (node->it.course == COURSE_RETURN) {
             return false;
-        for (int k = node->first; k < node->first + node->count; k++)
-            if (search->part[search->function->successors[k]] != inner)
+        }
+        for (int k = node->first; k < node->first + node->count; k++) {
+            if (search->part[search->function->successors[k]] != inner) {
                 return false;
+            }
+        }
     }
     return true;
 }
 
-/* The longest ways through the loop of these nodes, whose dist is known at its header: its longest turn
- * as often as the source allows, then the way out. */
+/* The longest ways through the loop of these nodes, whose dist is known at its header: its longest
+ * turn as often as the source allows, then the way out. */
 static bool pass_loop(struct search *search, const int *members, int count, int header, long *dist)
 {
     int outer = search->part[header], inner = ++search->parts;
@@ -379,19 +431,24 @@ static bool pass_loop(struct search *search, const int *members, int count, int 
     long rounds = 1, turn, before = dist[header];
     bool is_good, never_ends;
 
-    if (inner_dist == NULL)
+    if (inner_dist == NULL) {
         abort();
-    for (int i = 0; i < count; i++)
+    }
+    for (int i = 0; i < count; i++) {
         search->part[members[i]] = inner;
+    }
     never_ends = is_endless(search, members, count, inner);
     is_good = longest(search, inner, header, inner_dist, &turn) &&
               (never_ends || find_rounds(search, members, count, header, &rounds));
-    if (is_good && never_ends)
+    if (is_good && never_ends) {
         search->endless = turn;
-    for (int i = 0; i < count && is_good; i++)
+    }
+    for (int i = 0; i < count && is_good; i++) {
         dist[members[i]] = before + rounds * turn + inner_dist[members[i]];
-    for (int i = 0; i < count; i++)
+    }
+    for (int i = 0; i < count; i++) {
         search->part[members[i]] = outer;
+    }
     free(inner_dist);
     return is_good;
 }
@@ -402,8 +459,10 @@ static bool cost(struct search *search, int at, long *cycles)
     const struct node *node = &search->function->nodes[at];
     long callee = 0;
 
-    if (node->it.course == COURSE_CALL && !flow_cycles(search->flow, node->it.target, false, &callee))
+    if (node->it.course == COURSE_CALL &&
+        !flow_cycles(search->flow, node->it.target, false, &callee)) {
         return false;
+    }
     *cycles = node->it.cycles + callee;
     return true;
 }
@@ -417,37 +476,42 @@ static void relax(const struct components *found, int at, long *dist)
     for (int i = node->first; i < node->first + node->count; i++) {
         int to = function->successors[i];
 
-        if (is_edge(found, to) && found->component[to] != found->component[at] && dist[at] > dist[to])
+        if (is_edge(found, to) && found->component[to] != found->component[at] &&
+            dist[at] > dist[to]) {
             dist[to] = dist[at];
+        }
     }
 }
 
 /* One component, whose members' dist is what leads up to them: makes it what it is after them. */
-static bool pass_component(struct search *search, const struct components *found, const int *members, int count,
-                           long *dist)
+static bool pass_component(struct search *search, const struct components *found,
+                           const int *members, int count, long *dist)
 {
     long cycles;
     int header = NONE;
 
     if (!is_loop(found, members, count)) {
-        if (!cost(search, members[0], &cycles))
+        if (!cost(search, members[0], &cycles)) {
             return false;
+        }
         dist[members[0]] += cycles;
         return true;
     }
     for (int i = 0; i < count; i++) {
-        if (dist[members[i]] < 0)
+        if (dist[members[i]] < 0) {
             continue;
-        if (header != NONE)
+        }
+        if (header != NONE) {
             return complain(search->flow, search->function->nodes[members[i]].address,
                             "a loop with two entries; take the jump into it away");
+        }
         header = members[i];
     }
     return pass_loop(search, members, count, header, dist);
 }
 
-/* For each node of the PART: dist, the most cycles from HEADER's begin to that node's end; and turn,
- * the most from HEADER back to it, 0 if nothing leads back. */
+/* For each node of the PART: dist, the most cycles from HEADER's begin to that node's end; and
+ * turn, the most from HEADER back to it, 0 if nothing leads back. */
 static bool longest(struct search *search, int part, int header, long *dist, long *turn)
 {
     int nodes = search->function->node_count;
@@ -455,8 +519,9 @@ static bool longest(struct search *search, int part, int header, long *dist, lon
     int *room = calloc((size_t)nodes * 5, sizeof *room);
     bool is_good = true;
 
-    if (room == NULL)
+    if (room == NULL) {
         abort();
+    }
     found.order = room;
     found.low = room + nodes;
     found.component = room + 2 * nodes;
@@ -471,20 +536,26 @@ static bool longest(struct search *search, int part, int header, long *dist, lon
     for (int end = found.sorted_count; end > 0 && is_good;) {
         int begin = end - 1;
 
-        while (begin > 0 && found.component[found.sorted[begin - 1]] == found.component[found.sorted[begin]])
+        while (begin > 0 &&
+               found.component[found.sorted[begin - 1]] == found.component[found.sorted[begin]]) {
             begin--;
+        }
         is_good = pass_component(search, &found, &found.sorted[begin], end - begin, dist);
-        for (int i = begin; i < end && is_good; i++)
+        for (int i = begin; i < end && is_good; i++) {
             relax(&found, found.sorted[i], dist);
+        }
         end = begin;
     }
     *turn = 0;
     for (int i = 0; i < nodes && is_good; i++) {
         const struct node *node = &search->function->nodes[i];
 
-        for (int k = node->first; k < node->first + node->count; k++)
-            if (search->function->successors[k] == header && search->part[i] == part && dist[i] > *turn)
+        for (int k = node->first; k < node->first + node->count; k++) {
+            if (search->function->successors[k] == header && search->part[i] == part &&
+                dist[i] > *turn) {
                 *turn = dist[i];
+            }
+        }
     }
     free(room);
     return is_good;
@@ -497,8 +568,9 @@ bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
     long *dist, turn;
     bool is_good;
 
-    if (!follow_function(flow, entry)) /* nothing but a jump may have led to it */
+    if (!follow_function(flow, entry)) { /* nothing but a jump may have led to it */
         return false;
+    }
     search.function = function = flow->functions[entry];
     if (function->cycles != NONE && !is_round) {
         *cycles = function->cycles;
@@ -507,16 +579,20 @@ bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
     dist = malloc((size_t)function->node_count * sizeof *dist);
     search.part = calloc((size_t)function->node_count, sizeof *search.part);
     search.is_claimed = calloc((size_t)function->node_count, sizeof *search.is_claimed);
-    if (dist == NULL || search.part == NULL || search.is_claimed == NULL)
+    if (dist == NULL || search.part == NULL || search.is_claimed == NULL) {
         abort();
+    }
     is_good = longest(&search, 0, 0, dist, &turn);
     *cycles = 0;
-    for (int i = 0; i < function->node_count && is_good; i++)
-        if (function->nodes[i].it.course == COURSE_RETURN && dist[i] > *cycles)
+    for (int i = 0; i < function->node_count && is_good; i++) {
+        if (function->nodes[i].it.course == COURSE_RETURN && dist[i] > *cycles) {
             *cycles = dist[i];
+        }
+    }
     if (is_good && is_round) {
         *cycles = search.endless;
-        is_good = search.endless != NONE || complain(flow, entry, "has no endless loop to take a round of");
+        is_good = search.endless != NONE ||
+                  complain(flow, entry, "has no endless loop to take a round of");
     } else if (is_good && search.endless != NONE) {
         is_good = complain(flow, entry, "never returns");
     } else if (is_good) {
@@ -528,7 +604,8 @@ bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
     return is_good;
 }
 
-void flow_init(struct flow *flow, const struct hexfile *hex, const struct listing *listing, const char *path)
+void flow_init(struct flow *flow, const struct hexfile *hex, const struct listing *listing,
+               const char *path)
 {
     memset(flow, 0, sizeof *flow);
     flow->hex = hex;
@@ -540,8 +617,9 @@ void flow_init(struct flow *flow, const struct hexfile *hex, const struct listin
 void flow_free(struct flow *flow)
 {
     for (int i = 0; i < HEX_CODE_SIZE; i++) {
-        if (flow->functions[i] == NULL)
+        if (flow->functions[i] == NULL) {
             continue;
+        }
         free(flow->functions[i]->nodes);
         free(flow->functions[i]->successors);
         free(flow->functions[i]);

@@ -1,5 +1,5 @@
-/* What the linker's listings (.rst) and its map say of addresses: names of functions, the source line
- * that an instruction comes from, and how often a loop goes round. */
+/* What the linker's listings (.rst) and its map say of addresses: names of functions, the source
+ * line that an instruction comes from, and how often a loop goes round. */
 #ifndef FUZZY51_LISTING_H
 #define FUZZY51_LISTING_H
 
@@ -18,10 +18,10 @@ struct listing {
 void listing_init(struct listing *listing);
 void listing_free(struct listing *listing);
 
-/* Adds one .rst or .map file of the image HEX. A source line that holds the words "rounds: N" says that
- * the loop it belongs to goes round at most N times each time it is entered. Returns EXIT_FINE, or
- * EXIT_INPUT after a message: a listing of another image among them, for linking a module again, into
- * whatever, writes its listing anew. */
+/* Adds one .rst or .map file of the image HEX. A source line that holds the words "rounds: N" says
+ * that the loop it belongs to goes round at most N times each time it is entered. Returns
+ * EXIT_FINE, or EXIT_INPUT after a message: a listing of another image among them, for linking a
+ * module again, into whatever, writes its listing anew. */
 int listing_read(struct listing *listing, const struct hexfile *hex, const char *path);
 
 /* The address of the function NAME, or -1. */

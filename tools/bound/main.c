@@ -20,7 +20,8 @@ struct arguments {
 };
 
 static const struct argp_option options[] = {
-    {"cycles", OPT_CYCLES, "FUNCTION", 0, "also the most machine cycles that this function takes; may be repeated", 0},
+    {"cycles", OPT_CYCLES, "FUNCTION", 0,
+     "also the most machine cycles that this function takes; may be repeated", 0},
     {"round", OPT_ROUND, "FUNCTION", 0, "also those of one round of its endless loop", 0},
     {"iram", OPT_IRAM, "N", 0, "bytes of internal RAM, 128..256 (256)", 0},
     {0},
@@ -34,24 +35,28 @@ static error_t take_option(int key, char *text, struct argp_state *state)
     switch (key) {
     case OPT_CYCLES:
     case OPT_ROUND:
-        if (arguments->name_count == NAMES)
+        if (arguments->name_count == NAMES) {
             argp_error(state, "more than %d functions", NAMES);
+        }
         arguments->is_round[arguments->name_count] = key == OPT_ROUND;
         arguments->names[arguments->name_count++] = text;
         return 0;
     case OPT_IRAM:
         arguments->iram = (int)strtol(text, &end, 10);
-        if (end == text || *end != '\0' || arguments->iram < 128 || arguments->iram > 256)
+        if (end == text || *end != '\0' || arguments->iram < 128 || arguments->iram > 256) {
             argp_error(state, "--iram=%s: give a whole number in 128..256", text);
+        }
         return 0;
     case ARGP_KEY_ARG:
-        if (arguments->word_count == WORDS)
+        if (arguments->word_count == WORDS) {
             argp_error(state, "more than %d files", WORDS);
+        }
         arguments->words[arguments->word_count++] = text;
         return 0;
     case ARGP_KEY_END:
-        if (arguments->word_count == 0)
+        if (arguments->word_count == 0) {
             argp_usage(state);
+        }
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -62,9 +67,12 @@ static const struct argp parser = {
     .options = options,
     .parser = take_option,
     .args_doc = "IMAGE.ihx [LISTING...]",
-    .doc = "Follows every path through an 8051 image and says how much stack it can take, and how long "
-           "its functions can take.\vListings are the linker's .map and .rst files: they name functions, "
-           "and a source line of the form `while (...) { /* rounds: 8 */` bounds its loop. Exit status: 0 "
+    .doc = "Follows every path through an 8051 image and says how much stack it can take, and how "
+           "long "
+           "its functions can take.\vListings are the linker's .map and .rst files: they name "
+           "functions, "
+           "and a source line of the form `while (...) { /* rounds: 8 */` bounds its loop. Exit "
+           "status: 0 "
            "fine; 1 the stack does not fit, or the image cannot be followed; 2 bad usage.",
 };
 
@@ -72,12 +80,13 @@ static const struct argp parser = {
 static void print_path(const struct flow *flow, long entry)
 {
     printf("%s", listing_name(flow->listing, (uint16_t)entry));
-    while ((entry = flow_deepest(flow, (uint16_t)entry)) >= 0)
+    while ((entry = flow_deepest(flow, (uint16_t)entry)) >= 0) {
         printf(" > %s", listing_name(flow->listing, (uint16_t)entry));
+    }
 }
 
-/* Interrupts of one level do not meet; one of the high level may begin within one of the low one. Sets
- * the stack that they take together. */
+/* Interrupts of one level do not meet; one of the high level may begin within one of the low one.
+ * Sets the stack that they take together. */
 static int print_interrupts(struct flow *flow, int *stack)
 {
     int most[2] = {0, 0};
@@ -87,14 +96,18 @@ static int print_interrupts(struct flow *flow, int *stack)
         long cycles;
         int level = flow->high >> n & 1;
 
-        if (!flow_interrupt(flow, n, &entry))
+        if (!flow_interrupt(flow, n, &entry)) {
             continue;
-        if (!flow_cycles(flow, entry, false, &cycles))
+        }
+        if (!flow_cycles(flow, entry, false, &cycles)) {
             return EXIT_INPUT;
-        printf("%s: interrupt at 0x%02X, %s level, %d bytes, at most %ld cycles\n", listing_name(flow->listing, entry),
-               8 * n + 3, level ? "high" : "low", flow_stack(flow, entry), cycles);
-        if (flow_stack(flow, entry) > most[level])
+        }
+        printf("%s: interrupt at 0x%02X, %s level, %d bytes, at most %ld cycles\n",
+               listing_name(flow->listing, entry), 8 * n + 3, level ? "high" : "low",
+               flow_stack(flow, entry), cycles);
+        if (flow_stack(flow, entry) > most[level]) {
             most[level] = flow_stack(flow, entry);
+        }
     }
     *stack = most[0] + most[1];
     return EXIT_FINE;
@@ -104,18 +117,21 @@ static int print_stack(struct flow *flow, int iram)
 {
     int room = iram - 1 - flow->stack_base, most, interrupts;
 
-    if (print_interrupts(flow, &interrupts) != EXIT_FINE)
+    if (print_interrupts(flow, &interrupts) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     most = flow_stack(flow, 0) - FLOW_RETURN_ADDRESS + interrupts; /* nothing called the reset */
     printf("stack: at most %d of %d bytes, %d for interrupts; deepest ", most, room, interrupts);
     print_path(flow, flow_deepest(flow, 0) < 0 ? 0 : flow_deepest(flow, 0));
     putchar('\n');
-    if (most < room) /* the last byte tells the firmware of an overflow */
+    if (most < room) { /* the last byte tells the firmware of an overflow */
         return EXIT_FINE;
-    return diag_error(flow->path, 0,
-                      "the stack may take %d bytes, and %d are free, one of which must stay so; call less "
-                      "deeply or give RAM back",
-                      most, room);
+    }
+    return diag_error(
+        flow->path, 0,
+        "the stack may take %d bytes, and %d are free, one of which must stay so; call less "
+        "deeply or give RAM back",
+        most, room);
 }
 
 static int print_cycles(struct flow *flow, const struct arguments *arguments)
@@ -124,11 +140,16 @@ static int print_cycles(struct flow *flow, const struct arguments *arguments)
         const char *name = arguments->names[i];
         long entry = listing_find(flow->listing, name), cycles;
 
-        if (entry < 0)
-            return diag_error(flow->path, 0, "no function '%s' in it; its .map and .rst files name those that are", name);
-        if (!flow_cycles(flow, (uint16_t)entry, arguments->is_round[i], &cycles))
+        if (entry < 0) {
+            return diag_error(flow->path, 0,
+                              "no function '%s' in it; its .map and .rst files name those that are",
+                              name);
+        }
+        if (!flow_cycles(flow, (uint16_t)entry, arguments->is_round[i], &cycles)) {
             return EXIT_INPUT;
-        printf("%s: at most %ld cycles%s\n", name, cycles, arguments->is_round[i] ? " a round" : "");
+        }
+        printf("%s: at most %ld cycles%s\n", name, cycles,
+               arguments->is_round[i] ? " a round" : "");
     }
     return EXIT_FINE;
 }
@@ -143,17 +164,21 @@ int main(int argc, char **argv)
 
     argp_err_exit_status = EXIT_USAGE;
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
-    if (hexfile_read(&hex, arguments.words[0]) != EXIT_FINE)
+    if (hexfile_read(&hex, arguments.words[0]) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     listing_init(&listing);
     flow_init(&flow, &hex, &listing, arguments.words[0]);
     status = EXIT_FINE;
-    for (int i = 1; i < arguments.word_count && status == EXIT_FINE; i++)
+    for (int i = 1; i < arguments.word_count && status == EXIT_FINE; i++) {
         status = listing_read(&listing, &hex, arguments.words[i]);
-    if (status == EXIT_FINE)
+    }
+    if (status == EXIT_FINE) {
         status = flow_follow(&flow) ? print_stack(&flow, arguments.iram) : EXIT_INPUT;
-    if (status == EXIT_FINE)
+    }
+    if (status == EXIT_FINE) {
         status = print_cycles(&flow, &arguments);
+    }
     flow_free(&flow);
     listing_free(&listing);
     return status;

@@ -15,8 +15,8 @@ enum course {
 };
 
 struct instruction {
-    uint8_t bytes;   /* 1..3 */
-    uint8_t cycles;  /* machine cycles; a branch takes the same either way */
+    uint8_t bytes;  /* 1..3 */
+    uint8_t cycles; /* machine cycles; a branch takes the same either way */
     enum course course;
     uint16_t target; /* of jump, branch and call */
     int8_t push;     /* what it leaves on the stack: 1, -1, 0; calls and returns aside */

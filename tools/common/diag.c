@@ -13,12 +13,14 @@ extern char *program_invocation_short_name;
 static void print_place(const char *file, int line, const char *severity, const char *format,
                         va_list arguments)
 {
-    if (file == NULL)
+    if (file == NULL) {
         file = program_invocation_short_name;
-    if (line > 0)
+    }
+    if (line > 0) {
         fprintf(stderr, "%s:%d: %s: ", file, line, severity);
-    else
+    } else {
         fprintf(stderr, "%s: %s: ", file, severity);
+    }
     vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
 }
@@ -63,8 +65,9 @@ int outfile_open(struct outfile *out, const char *path)
         strcpy(out->temporary, path);
         strcat(out->temporary, suffix);
         handle = mkstemp(out->temporary);
-        if (handle >= 0)
+        if (handle >= 0) {
             out->stream = fdopen(handle, "w");
+        }
     }
     if (out->stream == NULL) {
         int reason = errno;
@@ -81,16 +84,19 @@ int outfile_commit(struct outfile *out)
     mode_t mask = umask(0);
 
     umask(mask);
-    if (out->temporary != NULL && fchmod(fileno(out->stream), 0666 & ~mask) != 0)
+    if (out->temporary != NULL && fchmod(fileno(out->stream), 0666 & ~mask) != 0) {
         failed = 1;
-    if (fclose(out->stream) != 0)
+    }
+    if (fclose(out->stream) != 0) {
         failed = 1;
+    }
     out->stream = NULL;
-    if (!failed && out->temporary != NULL && rename(out->temporary, out->path) != 0)
+    if (!failed && out->temporary != NULL && rename(out->temporary, out->path) != 0) {
         failed = 1;
-    if (failed)
+    }
+    if (failed) {
         diag_error(out->path, 0, "cannot write: %s", strerror(errno));
-    else {
+    } else {
         free(out->temporary);
         out->temporary = NULL;
     }
@@ -100,8 +106,9 @@ int outfile_commit(struct outfile *out)
 
 void outfile_abandon(struct outfile *out)
 {
-    if (out->stream != NULL)
+    if (out->stream != NULL) {
         fclose(out->stream);
+    }
     if (out->temporary != NULL) {
         unlink(out->temporary);
         free(out->temporary);

@@ -21,8 +21,8 @@ int diag_error(const char *file, int line, const char *format, ...)
 void diag_warning(const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* A file that appears whole or not at all: written beside its place under a temporary name. A device or
- * a pipe is written as it is. */
+/* A file that appears whole or not at all: written beside its place under a temporary name. A
+ * device or a pipe is written as it is. */
 struct outfile {
     FILE *stream;
     char *path;

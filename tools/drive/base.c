@@ -16,8 +16,9 @@ struct world *base_create(size_t size)
 {
     struct world *world = calloc(1, size);
 
-    if (world == NULL)
+    if (world == NULL) {
         abort();
+    }
     return world;
 }
 
@@ -39,8 +40,9 @@ void base_trigger(struct world *world, int64_t t_ns, bool level)
     struct base *base = base_of(world);
     uint8_t payload[HEAD_PAYLOAD_MAX];
 
-    if (!head_trigger(base->head, t_ns, level))
+    if (!head_trigger(base->head, t_ns, level)) {
         return;
+    }
     pace_note(&base->pace, t_ns);
     base->sense(world, payload);
     head_measured(base->head, t_ns, payload);
@@ -71,8 +73,9 @@ size_t base_take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BY
     struct base *base = base_of(world);
     size_t count = head_take(base->head, t_ns, bytes);
 
-    if (base->rig != NULL && head_blind_ns(base->head) == INT64_MAX)
+    if (base->rig != NULL && head_blind_ns(base->head) == INT64_MAX) {
         rig_blind(base->rig, false);
+    }
     return count;
 }
 

@@ -14,9 +14,11 @@ enum { BOARD_COUNT = sizeof boards / sizeof boards[0] };
 
 const struct board *board_find(const char *name)
 {
-    for (int i = 0; i < BOARD_COUNT; i++)
-        if (strcmp(boards[i].name, name) == 0)
+    for (int i = 0; i < BOARD_COUNT; i++) {
+        if (strcmp(boards[i].name, name) == 0) {
             return &boards[i];
+        }
+    }
     return NULL;
 }
 
@@ -25,9 +27,10 @@ const char *board_names(void)
     static char names[256];
 
     names[0] = '\0';
-    for (int i = 0; i < BOARD_COUNT; i++)
+    for (int i = 0; i < BOARD_COUNT; i++) {
         snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i > 0 ? " " : "",
                  boards[i].name);
+    }
     return names;
 }
 

@@ -28,18 +28,21 @@ static void advance(struct world *world, int64_t t_ns)
     while (world->now_ns < t_ns) {
         int64_t row_ns = (world->now_ns / WORLD_ROW_NS + 1) * WORLD_ROW_NS, next = t_ns;
 
-        if (world->mark_ns < next)
+        if (world->mark_ns < next) {
             next = world->mark_ns;
-        if (row_ns < next)
+        }
+        if (row_ns < next) {
             next = row_ns;
+        }
         rig_advance(&world->rig, next);
         world->now_ns = next;
         if (next == world->mark_ns) {
             sonar_pass_boundary(&world->sonar, next);
             world->mark_ns = sonar_boundary_ns(&world->sonar, next);
         }
-        if (next == row_ns)
+        if (next == row_ns) {
             sonar_observe(&world->sonar, next, car_gap_m(&world->rig.car));
+        }
     }
 }
 
@@ -69,22 +72,25 @@ static void trigger_ends(struct world *world)
                                              world->now_ns - world->trigger_rise_ns, gap, closing);
 
     pace_note(&world->base.pace, world->now_ns);
-    if (answer == SONAR_MISSING)
+    if (answer == SONAR_MISSING) {
         rig_blind(&world->rig, true);
-    else if (answer == SONAR_TARGET || answer == SONAR_NONE)
+    } else if (answer == SONAR_TARGET || answer == SONAR_NONE) {
         rig_blind(&world->rig, false);
+    }
 }
 
 static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
 {
     advance(world, t_ns);
     rig_pin(&world->rig, t_ns, pin, level);
-    if (pin != PIN_TRIGGER)
+    if (pin != PIN_TRIGGER) {
         return;
-    if (level)
+    }
+    if (level) {
         world->trigger_rise_ns = world->now_ns;
-    else
+    } else {
         trigger_ends(world);
+    }
 }
 
 static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enum board_pin *pin,

@@ -34,8 +34,9 @@ static void image_path(char *path, size_t size)
     ssize_t length = readlink("/proc/self/exe", path, size - 1);
 
     path[length > 0 ? length : 0] = '\0';
-    if (strrchr(path, '/') != NULL)
+    if (strrchr(path, '/') != NULL) {
         *strrchr(path, '/') = '\0';
+    }
     snprintf(path + strlen(path), size - strlen(path), "/canary.ihx");
 }
 
@@ -48,13 +49,16 @@ static enum s51_status observe(struct s51 *sim, struct figures *figures)
     for (int t_us = 400; t_us <= RUN_US; t_us += 400) {
         enum s51_status status;
 
-        if (t_us == PULSE_FROM_US)
+        if (t_us == PULSE_FROM_US) {
             s51_set_pin(sim, (PULSE_FROM_US - 1) * 1000LL, 0, true);
-        if (t_us == PULSE_FROM_US + PULSE_US + 200)
+        }
+        if (t_us == PULSE_FROM_US + PULSE_US + 200) {
             s51_set_pin(sim, (PULSE_FROM_US + PULSE_US - 1) * 1000LL, 0, false);
+        }
         status = s51_run_to(sim, t_us * 1000LL);
-        if (status != S51_RAN)
+        if (status != S51_RAN) {
             return status;
+        }
         for (size_t i = 0; i < sim->edge_count; i++) {
             last_ns = sim->edges[i].time_ns;
             first_ns = edges++ == 0 ? last_ns : first_ns;
@@ -62,8 +66,9 @@ static enum s51_status observe(struct s51 *sim, struct figures *figures)
         }
     }
     figures->bytes = s51_receive(sim, text, sizeof text - 1);
-    for (size_t i = 0; i < figures->bytes; i++)
+    for (size_t i = 0; i < figures->bytes; i++) {
         figures->hash = mix(figures->hash, (uint64_t)text[i]);
+    }
     figures->pulse_us = figures->bytes > 0 ? atof(text) : NAN;
     figures->tick_us = edges > 1 ? (double)(last_ns - first_ns) * 1e-3 / (double)(edges - 1) : NAN;
     return S51_RAN;
@@ -85,8 +90,9 @@ static int run_once(struct figures *figures)
 
     memset(figures, 0, sizeof *figures);
     image_path(path, sizeof path);
-    if (s51_start(&sim, &setup) != EXIT_FINE)
+    if (s51_start(&sim, &setup) != EXIT_FINE) {
         return EXIT_USAGE;
+    }
     status = observe(&sim, figures);
     s51_stop(&sim);
     return status == S51_FAILED ? EXIT_USAGE : EXIT_FINE;
@@ -96,16 +102,17 @@ static int run_once(struct figures *figures)
 static void find_fault(const struct figures *first, const struct figures *second, char fault[160])
 {
     fault[0] = '\0';
-    if (second->bytes == 0)
+    if (second->bytes == 0) {
         snprintf(fault, 160, "sends no serial byte while timer 2 interrupts");
-    else if (!(fabs(second->pulse_us - PULSE_US) < 0.5))
+    } else if (!(fabs(second->pulse_us - PULSE_US) < 0.5)) {
         snprintf(fault, 160, "reads a pulse of %d us as %.0f us (%+.1f %%)", PULSE_US,
                  second->pulse_us, (second->pulse_us / PULSE_US - 1) * 100);
-    else if (!(fabs(second->tick_us - TICK_US) < 0.1))
+    } else if (!(fabs(second->tick_us - TICK_US) < 0.1)) {
         snprintf(fault, 160, "has interrupts every %.2f us in place of %d (%+.1f %%)",
                  second->tick_us, TICK_US, (second->tick_us / TICK_US - 1) * 100);
-    else if (first->hash != second->hash)
+    } else if (first->hash != second->hash) {
         snprintf(fault, 160, "does not run twice alike");
+    }
 }
 
 static int measure(const char *version, struct figures *figures)
@@ -113,11 +120,13 @@ static int measure(const char *version, struct figures *figures)
     struct figures first;
     char fault[160];
 
-    if (run_once(&first) != EXIT_FINE || run_once(figures) != EXIT_FINE)
+    if (run_once(&first) != EXIT_FINE || run_once(figures) != EXIT_FINE) {
         return EXIT_USAGE;
+    }
     find_fault(&first, figures, fault);
-    if (fault[0] == '\0')
+    if (fault[0] == '\0') {
         return EXIT_FINE;
+    }
     diag_error("s51", 0, "version %s %s; install version %s (Debian 12: sdcc-ucsim 4.2.0)", version,
                fault, S51_VERSION);
     return EXIT_USAGE;
@@ -128,12 +137,15 @@ int canary_check_version(void)
     struct figures figures;
     char version[32];
 
-    if (s51_version(version, sizeof version) != EXIT_FINE)
+    if (s51_version(version, sizeof version) != EXIT_FINE) {
         return EXIT_USAGE;
-    if (strcmp(version, S51_VERSION) == 0)
+    }
+    if (strcmp(version, S51_VERSION) == 0) {
         return EXIT_FINE;
-    if (measure(version, &figures) != EXIT_FINE)
+    }
+    if (measure(version, &figures) != EXIT_FINE) {
         return EXIT_USAGE;
+    }
     diag_warning("s51", 0, "version %s is not the known %s, but it keeps time", version,
                  S51_VERSION);
     return EXIT_FINE;
@@ -145,8 +157,9 @@ int canary_run(void)
     char version[32];
 
     if (s51_version(version, sizeof version) != EXIT_FINE ||
-        measure(version, &figures) != EXIT_FINE)
+        measure(version, &figures) != EXIT_FINE) {
         return EXIT_USAGE;
+    }
     printf("s51 %s keeps time: a pulse of %d us reads %.0f us, an interrupt every %d us comes "
            "every %.2f us, serial bytes arrive, two runs are alike\n",
            version, PULSE_US, figures.pulse_us, TICK_US, figures.tick_us);

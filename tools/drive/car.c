@@ -38,14 +38,17 @@ double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps)
 {
     double accel = lead->change_mps2, duration_s;
 
-    if (lead->points > 0)
+    if (lead->points > 0) {
         return profile_path_m(lead, t_s, speed_mps);
+    }
     *speed_mps = lead->speed_mps;
-    if (lead->change_s < 0 || t_s <= lead->change_s)
+    if (lead->change_s < 0 || t_s <= lead->change_s) {
         return lead->speed_mps * t_s;
+    }
     duration_s = (lead->change_to_mps - lead->speed_mps) / accel;
-    if (!(duration_s >= 0) || isinf(duration_s)) /* the wrong sign never gets there: at once */
+    if (!(duration_s >= 0) || isinf(duration_s)) { /* the wrong sign never gets there: at once */
         duration_s = 0;
+    }
     if (t_s < lead->change_s + duration_s) {
         *speed_mps += accel * (t_s - lead->change_s);
         return lead->speed_mps * lead->change_s +
@@ -84,8 +87,9 @@ double car_lead_mps(const struct car *car)
 {
     double speed = 0;
 
-    if (car->lead_there)
+    if (car->lead_there) {
         lead_x_m(car, now_s(car), &speed);
+    }
     return speed;
 }
 
@@ -139,8 +143,9 @@ static double driver_push_mps2(const struct car *car)
     double wish;
 
     if (car->ego.driver == DRIVER_COASTS || car->throttle_cut || car->demand_pct > 0 ||
-        car->acting_pct > 0)
+        car->acting_pct > 0) {
         return 0; /* nobody pushes while the controller brakes */
+    }
     wish = (car->ego.driver_mps - car->v_mps) * driver_gain_per_s + car->ego.rolling_mps2;
     return fmin(fmax(wish, 0), car->ego.driver_mps2);
 }
@@ -153,19 +158,23 @@ static struct motion motion_after(const struct car *car, const struct motion *st
     struct motion end = rolling(start, push - car->ego.rolling_mps2, b1, lag_s, t_s);
     bool at_rest = start->v_mps <= 0;
 
-    if (at_rest && push > start->brake_mps2 + car->ego.rolling_mps2)
+    if (at_rest && push > start->brake_mps2 + car->ego.rolling_mps2) {
         return end; /* drives off */
-    if (at_rest)
+    }
+    if (at_rest) {
         return (struct motion){start->x_m, 0, end.brake_mps2, INFINITY};
-    if (end.v_mps > 0)
+    }
+    if (end.v_mps > 0) {
         return end;
+    }
     for (int i = 0; i < 60; i++) {
         double middle = 0.5 * (low + high);
 
-        if (rolling(start, push - car->ego.rolling_mps2, b1, lag_s, middle).v_mps > 0)
+        if (rolling(start, push - car->ego.rolling_mps2, b1, lag_s, middle).v_mps > 0) {
             low = middle;
-        else
+        } else {
             high = middle;
+        }
     }
     end.x_m = rolling(start, push - car->ego.rolling_mps2, b1, lag_s, high).x_m;
     end.v_mps = 0;
@@ -180,8 +189,9 @@ static double accel_mps2(const struct car *car)
 {
     double push = driver_push_mps2(car);
 
-    if (car->v_mps <= 0 && push <= car->brake_mps2 + car->ego.rolling_mps2)
+    if (car->v_mps <= 0 && push <= car->brake_mps2 + car->ego.rolling_mps2) {
         return 0;
+    }
     return push - car->ego.rolling_mps2 - car->brake_mps2;
 }
 
@@ -194,10 +204,11 @@ static void note_impact(struct car *car, const struct motion *start, double star
         double middle = 0.5 * (low + high);
 
         at = motion_after(car, start, middle);
-        if (lead_x_m(car, start_s + middle, &lead_mps) > at.x_m)
+        if (lead_x_m(car, start_s + middle, &lead_mps) > at.x_m) {
             low = middle;
-        else
+        } else {
             high = middle;
+        }
     }
     at = motion_after(car, start, high);
     lead_x_m(car, start_s + high, &lead_mps);
@@ -217,24 +228,28 @@ static void note_step(struct car *car, const struct motion *end, double start_s,
     struct car_record *record = &car->record;
     double gap = car_gap_m(car), lead_mps = car_lead_mps(car);
 
-    if (is_in_the_way(car))
+    if (is_in_the_way(car)) {
         record->min_gap_m = fmin(record->min_gap_m, gap);
+    }
     if (isfinite(end->rest_s)) {
         record->rest_s = start_s + end->rest_s;
         record->rest_gap_m = gap;
-        if (record->rest_s >= car->event_s)
+        if (record->rest_s >= car->event_s) {
             record->first_rest_s = fmin(record->first_rest_s, record->rest_s);
+        }
     }
     car->accel_mps2 = accel_mps2(car);
     record->peak_decel_mps2 = fmax(record->peak_decel_mps2, -car->accel_mps2);
     record->square_mps3 +=
         0.5 * t_s * (accel_before_mps2 * accel_before_mps2 + car->accel_mps2 * car->accel_mps2);
-    if (car->v_mps <= 0 && lead_mps > 0.1)
+    if (car->v_mps <= 0 && lead_mps > 0.1) {
         record->stuck_s += t_s;
-    if (car->v_mps > 0 || lead_mps > 0)
+    }
+    if (car->v_mps > 0 || lead_mps > 0) {
         record->still_s = INFINITY;
-    else if (isinf(record->still_s))
+    } else if (isinf(record->still_s)) {
         record->still_s = start_s + t_s;
+    }
 }
 
 /* One step in which the demand that acts does not change. */
@@ -245,9 +260,10 @@ static void step(struct car *car, int64_t t_ns)
     double b1 = car->ego.brake_max_mps2 * car->acting_pct / 100, before_mps2 = accel_mps2(car);
 
     /* The lag's slope is steepest where the step begins. */
-    if (start.v_mps > 0)
+    if (start.v_mps > 0) {
         car->record.peak_jerk_mps3 =
             fmax(car->record.peak_jerk_mps3, fabs(b1 - start.brake_mps2) / car->ego.brake_lag_s);
+    }
     end = motion_after(car, &start, t_s);
     if (is_in_the_way(car) && lead_x_m(car, start_s + t_s, &lead_mps) <= end.x_m) {
         note_impact(car, &start, start_s, t_s);
@@ -271,8 +287,9 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
     car->event_s = scenario->event_s;
     car->step_ns = step_ns;
     car->v_mps = car->ego.speed_mps;
-    if (car->ego.driver_mps < 0)
+    if (car->ego.driver_mps < 0) {
         car->ego.driver_mps = car->ego.speed_mps;
+    }
     car->record = (struct car_record){.impact_s = INFINITY,
                                       .min_gap_m = INFINITY,
                                       .rest_s = INFINITY,
@@ -280,10 +297,12 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
                                       .first_rest_s = INFINITY,
                                       .still_s = INFINITY};
     place_lead(car);
-    if (is_in_the_way(car))
+    if (is_in_the_way(car)) {
         car->record.min_gap_m = car_gap_m(car);
-    if (car->v_mps <= 0) /* at rest on its mark */
+    }
+    if (car->v_mps <= 0) { /* at rest on its mark */
         car->record.rest_s = car->record.first_rest_s = 0, car->record.rest_gap_m = car_gap_m(car);
+    }
 }
 
 /* End of the step that begins now: the grid, a demand that begins to act, the lead's coming. */
@@ -292,15 +311,18 @@ static int64_t step_end_ns(const struct car *car, int64_t t_ns)
     int64_t end = (car->now_ns / car->step_ns + 1) * car->step_ns;
     const double marks_s[] = {car->lead.appears_s, car->lead.leaves_s};
 
-    if (end > t_ns)
+    if (end > t_ns) {
         end = t_ns;
-    if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end)
+    }
+    if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end) {
         end = car->demands[car->first_demand].at_ns;
+    }
     for (int i = 0; i < 2; i++) {
         int64_t mark = (int64_t)llround(marks_s[i] * 1e9);
 
-        if (marks_s[i] >= 0 && mark > car->now_ns && mark < end)
+        if (marks_s[i] >= 0 && mark > car->now_ns && mark < end) {
             end = mark;
+        }
     }
     return end;
 }
@@ -310,8 +332,9 @@ void car_advance(struct car *car, int64_t t_ns)
     while (car->now_ns < t_ns && !car->record.impact) {
         int64_t end = step_end_ns(car, t_ns);
 
-        if (end > car->now_ns)
+        if (end > car->now_ns) {
             step(car, end);
+        }
         while (car->demand_count > 0 && car->demands[car->first_demand].at_ns <= car->now_ns) {
             car->acting_pct = car->demands[car->first_demand].percent;
             car->first_demand = (car->first_demand + 1) % CAR_DEMANDS;

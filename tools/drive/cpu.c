@@ -29,13 +29,15 @@ int cpu_claim(void)
 {
     cpu_set_t allowed;
 
-    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0)
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) {
         return -1;
+    }
     for (size_t cpu = 0; cpu < CPU_SETSIZE; cpu++) {
         cpu_set_t one;
 
-        if (!CPU_ISSET(cpu, &allowed) || claim_name(cpu) < 0)
+        if (!CPU_ISSET(cpu, &allowed) || claim_name(cpu) < 0) {
             continue;
+        }
         CPU_ZERO(&one);
         CPU_SET(cpu, &one);
         return sched_setaffinity(0, sizeof one, &one) == 0 ? (int)cpu : -1;

@@ -32,8 +32,9 @@ enum metric expect_find(const char *name)
 {
     enum metric metric = 0;
 
-    while (metric < METRIC_COUNT && strcmp(metrics[metric].name, name) != 0)
+    while (metric < METRIC_COUNT && strcmp(metrics[metric].name, name) != 0) {
         metric++;
+    }
     return metric;
 }
 
@@ -41,42 +42,46 @@ void expect_format(const struct expectation *expectation, char *text, size_t siz
 {
     const char *name = expect_name(expectation->metric);
 
-    if (expectation->op == '=')
+    if (expectation->op == '=') {
         snprintf(text, size, "%s = %s", name, expectation->text);
-    else
+    } else {
         snprintf(text, size, "%s %c= %s", name, expectation->op, expectation->text);
+    }
 }
 
 void expect_value(enum metric metric, const struct outcome *outcome, char *text, size_t size)
 {
     double value = outcome->values[metric];
 
-    if (metric == METRIC_PARKED && !isnan(value))
+    if (metric == METRIC_PARKED && !isnan(value)) {
         snprintf(text, size, "%s", value > 0 ? "yes" : "no");
-    else if (metric == METRIC_IMPACT && !isnan(value))
+    } else if (metric == METRIC_IMPACT && !isnan(value)) {
         snprintf(text, size, "%s", outcome->values[METRIC_IMPACT] > 0 ? "any" : "none");
-    else if (metric == METRIC_FINAL_STATE)
+    } else if (metric == METRIC_FINAL_STATE) {
         snprintf(text, size, "%s", outcome->final_state[0] ? outcome->final_state : "none");
-    else if (metric == METRIC_UART_SAYS)
+    } else if (metric == METRIC_UART_SAYS) {
         snprintf(text, size, "%zu bytes", strlen(outcome->uart));
-    else if (metrics[metric].kind == KIND_LIST)
+    } else if (metrics[metric].kind == KIND_LIST) {
         snprintf(text, size, "%.*s", (int)strlen(outcome->states) - (outcome->states[0] != '\0'),
                  outcome->states);
-    else if (isnan(value))
+    } else if (isnan(value)) {
         snprintf(text, size, "not measured by this app");
-    else if (isinf(value))
+    } else if (isinf(value)) {
         snprintf(text, size, "%s", value > 0 ? "never" : "none before");
-    else
+    } else {
         snprintf(text, size, "%.*f%s%s", metrics[metric].decimals, value,
                  metrics[metric].unit[0] ? " " : "", metrics[metric].unit);
+    }
 }
 
 /* Is WORD one of the states that occurred? */
 static bool occurred(const struct outcome *outcome, const char *word, size_t length)
 {
-    for (const char *at = outcome->states; *at != '\0'; at += strcspn(at, " ") + 1)
-        if (strcspn(at, " ") == length && strncmp(at, word, length) == 0)
+    for (const char *at = outcome->states; *at != '\0'; at += strcspn(at, " ") + 1) {
+        if (strcspn(at, " ") == length && strncmp(at, word, length) == 0) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -119,9 +124,11 @@ bool expect_holds(const struct expectation *expectation, const struct outcome *o
     default:
         break;
     }
-    if (expectation->op == '<')
+    if (expectation->op == '<') {
         return value <= expectation->limit;
-    if (expectation->op == '>')
+    }
+    if (expectation->op == '>') {
         return value >= expectation->limit;
+    }
     return value >= expectation->limit && value <= expectation->limit;
 }

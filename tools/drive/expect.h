@@ -43,14 +43,14 @@
     METRIC(ARRIVES_WITHIN, "arrives_within_s", "s", 3, KIND_NUMBER) /* at Y = 0 */                 \
     METRIC(BLIND_STEER, "blind_steer_deg", "deg", 2, KIND_NUMBER)   /* change on bad frames */     \
     METRIC(FINAL_GAP, "final_gap_m", "m", 3, KIND_NUMBER)                                          \
-    METRIC(EVENT_ACCEL, "event_accel_mps2", "m/s2", 2, KIND_NUMBER)    /* at event_s */            \
+    METRIC(EVENT_ACCEL, "event_accel_mps2", "m/s2", 2, KIND_NUMBER) /* at event_s */               \
     METRIC(PEAK_DECEL_AT, "peak_decel_at_s", "s", 2, KIND_NUMBER)                                  \
-    METRIC(DECEL_AGAIN, "decel_again_mps2", "m/s2", 2, KIND_NUMBER)    /* its growth after that */ \
+    METRIC(DECEL_AGAIN, "decel_again_mps2", "m/s2", 2, KIND_NUMBER) /* its growth after that */    \
     METRIC(TOP_SPEED, "top_speed_mps", "m/s", 2, KIND_NUMBER)                                      \
-    METRIC(CLOSING_PEAK_AT, "closing_peak_at_s", "s", 2, KIND_NUMBER)  /* fastest approach */      \
-    METRIC(ASKS_LANE_AT, "asks_lane_at_s", "s", 2, KIND_NUMBER)        /* for the first time */    \
+    METRIC(CLOSING_PEAK_AT, "closing_peak_at_s", "s", 2, KIND_NUMBER) /* fastest approach */       \
+    METRIC(ASKS_LANE_AT, "asks_lane_at_s", "s", 2, KIND_NUMBER)       /* for the first time */     \
     METRIC(CHANGES_LANE_AT, "changes_lane_at_s", "s", 2, KIND_NUMBER)                              \
-    METRIC(BLIND_ASKS, "blind_asks", "", 0, KIND_COUNT)     /* for a lane, on bad frames */        \
+    METRIC(BLIND_ASKS, "blind_asks", "", 0, KIND_COUNT) /* for a lane, on bad frames */            \
     METRIC(FINAL_STATE, "final_state", "", 0, KIND_TEXT)                                           \
     METRIC(REACHED, "reached", "", 0, KIND_LIST)       /* states that must occur */                \
     METRIC(NEVER, "never", "", 0, KIND_LIST)           /* states that must not */                  \

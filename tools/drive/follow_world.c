@@ -75,8 +75,9 @@ static void note_demand(struct world *world)
         world->seen_pct = demand;
     }
     world->max_brake_pct = fmax(world->max_brake_pct, brake);
-    if (world->now_ns >= world->event_ns)
+    if (world->now_ns >= world->event_ns) {
         world->min_brake_pct = fmin(world->min_brake_pct, brake);
+    }
     if (fabs(demand - world->counted_pct) > 2) {
         world->counted_pct = demand;
         world->duty_steps++;
@@ -91,8 +92,9 @@ static void advance(struct world *world, int64_t t_ns)
         int64_t steady = pwm_steady_ns(&world->pwm);
 
         world->now_ns = steady < t_ns ? steady : t_ns;
-        if (world->now_ns == steady)
+        if (world->now_ns == steady) {
             pwm_settle(&world->pwm);
+        }
         note_demand(world);
     }
 }
@@ -101,8 +103,9 @@ static void set_lead(struct world *world)
 {
     double speed_mps;
 
-    if (world->robots.changed_step >= 0)
+    if (world->robots.changed_step >= 0) {
         return;
+    }
     car_lead_path_m(&world->lead, world->robots.step * ROBOTS_STEP_MS / 1000.0, &speed_mps);
     world->robots.lead_mmps = (int)lround(speed_mps * 1000);
 }
@@ -112,19 +115,23 @@ static void step(struct world *world)
     double brake = brake_pct(world), throttle = servo_throttle_pct(&world->servo);
     bool was_changed = world->robots.changed_step >= 0;
 
-    if (world->robots.collided)
+    if (world->robots.collided) {
         return;
+    }
     world->accel_mmps2 = (brake > 0 ? -brake : throttle) / 100 * ROBOTS_ACCEL_MAX_MMPS2;
     robots_step(&world->robots, world->accel_mmps2, asks_for_lane(world));
-    if (world->robots.collided)
+    if (world->robots.collided) {
         world->impact_mps = (world->robots.own_mmps - world->robots.lead_mmps) / 1000.0;
-    if (world->robots.changed_step >= 0 && !was_changed)
+    }
+    if (world->robots.changed_step >= 0 && !was_changed) {
         world->changed_s = seconds(world->now_ns);
+    }
     set_lead(world);
-    if (world->robots.own_mmps > 0 || world->robots.lead_mmps > 0)
+    if (world->robots.own_mmps > 0 || world->robots.lead_mmps > 0) {
         world->rest_s = INFINITY;
-    else if (isinf(world->rest_s))
+    } else if (isinf(world->rest_s)) {
         world->rest_s = seconds(world->now_ns);
+    }
 }
 
 /* A trigger ends the step before it and finds what that came to. */
@@ -132,8 +139,9 @@ static void sense(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
     int gap_mm;
 
-    if (world->stepping)
+    if (world->stepping) {
         step(world);
+    }
     world->stepping = world->started;
     gap_mm = robots_gap_mm(&world->robots);
     head_put_16(payload, gap_mm < GAP_MAX_MM ? gap_mm : GAP_MAX_MM);
@@ -148,10 +156,12 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
 {
     if (!world->started) { /* the head answers a trigger, nothing moves */
         world->now_ns = t_ns;
-        if (pin == PIN_TRIGGER)
+        if (pin == PIN_TRIGGER) {
             base_trigger(world, t_ns, level);
-        if (pin == PIN_SERVO)
+        }
+        if (pin == PIN_SERVO) {
             servo_edge(&world->servo, t_ns, level);
+        }
         return;
     }
     advance(world, t_ns);
@@ -170,15 +180,17 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
         base_trigger(world, t_ns, level);
         break;
     case PIN_LANE:
-        if (!level && isinf(world->asked_s))
+        if (!level && isinf(world->asked_s)) {
             world->asked_s = seconds(t_ns);
+        }
         world->blind_asks += !level && is_blind(world);
         break;
     case PIN_LAMP:
     case PIN_BUZZER:
         world->warnings += !level;
-        if (!level && pin == PIN_BUZZER && t_ns >= world->event_ns)
+        if (!level && pin == PIN_BUZZER && t_ns >= world->event_ns) {
             world->alarm_s = fmin(world->alarm_s, seconds(t_ns));
+        }
         break;
     default:
         break;
@@ -234,8 +246,9 @@ static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 
 static void state_reported(struct world *world, int64_t t_ns, const char *state)
 {
-    if (strcmp(state, "FAULT") == 0 && t_ns >= world->event_ns && isinf(world->first_fault_s))
+    if (strcmp(state, "FAULT") == 0 && t_ns >= world->event_ns && isinf(world->first_fault_s)) {
         world->first_fault_s = seconds(t_ns);
+    }
 }
 
 static bool is_over(const struct world *world)
@@ -287,15 +300,17 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
     const double *value = outcome->values;
 
     printf("%s: ", scenario->title);
-    if (isfinite(value[METRIC_CHANGES_LANE_AT]))
+    if (isfinite(value[METRIC_CHANGES_LANE_AT])) {
         printf("changes lanes at %.2f s, ", value[METRIC_CHANGES_LANE_AT]);
-    if (value[METRIC_IMPACT] > 0)
+    }
+    if (value[METRIC_IMPACT] > 0) {
         printf("hits the robot ahead at %.2f m/s\n", value[METRIC_IMPACT_MPS]);
-    else if (value[METRIC_FINAL_SPEED] > 0)
+    } else if (value[METRIC_FINAL_SPEED] > 0) {
         printf("drives at %.2f m/s in the end, %.2f m behind the robot ahead\n",
                value[METRIC_FINAL_SPEED], value[METRIC_FINAL_GAP]);
-    else
+    } else {
         printf("stands in the end, %.2f m behind the robot ahead\n", value[METRIC_FINAL_GAP]);
+    }
     printf("  least gap %.2f m, most brake %.0f %%\n", value[METRIC_MIN_GAP],
            value[METRIC_MAX_BRAKE]);
 }

@@ -43,8 +43,9 @@ static double lead_accel_mps2(const struct car *car)
 {
     double now_s = (double)car->now_ns * 1e-9, before_mps, after_mps;
 
-    if (!car->lead_there)
+    if (!car->lead_there) {
         return 0;
+    }
     car_lead_path_m(&car->lead, now_s, &before_mps);
     car_lead_path_m(&car->lead, now_s + slope_s, &after_mps);
     return (after_mps - before_mps) / slope_s;
@@ -82,8 +83,9 @@ static void note_shape(struct world *world)
     double t_s = (double)shape->next_ns * 1e-9;
     double decel_mps2 = -car->accel_mps2, closing_mps = car->v_mps - car_lead_mps(car);
 
-    if (isnan(shape->event_accel_mps2) && shape->next_ns >= world->rig.event_ns)
+    if (isnan(shape->event_accel_mps2) && shape->next_ns >= world->rig.event_ns) {
         shape->event_accel_mps2 = car->accel_mps2;
+    }
     if (decel_mps2 > shape->peak_mps2) {
         shape->peak_mps2 = shape->least_since_mps2 = decel_mps2;
         shape->peak_s = t_s;
@@ -112,10 +114,12 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
 {
     advance(world, t_ns);
     rig_pin(&world->rig, t_ns, pin, level);
-    if (pin == PIN_SERVO && servo_edge(&world->servo, t_ns, level))
+    if (pin == PIN_SERVO && servo_edge(&world->servo, t_ns, level)) {
         rig_throttle(&world->rig, servo_throttle_pct(&world->servo));
-    if (pin == PIN_TRIGGER)
+    }
+    if (pin == PIN_TRIGGER) {
         base_trigger(world, t_ns, level);
+    }
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */

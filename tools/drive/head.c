@@ -39,8 +39,9 @@ size_t head_encode(int kind, int count, const uint8_t *payload, int payload_byte
     size_t size = 0;
 
     memcpy(body, payload, (size_t)payload_bytes);
-    for (int i = 0; i < payload_bytes; i++)
+    for (int i = 0; i < payload_bytes; i++) {
         crc = crc16(crc, payload[i]);
+    }
     head_put_16(body + payload_bytes, (long)crc);
 
     line[size++] = start;
@@ -63,8 +64,9 @@ static bool strikes(struct head *head, const struct frame_fault *fault, int coun
 {
     int past = count - (int)fault->first;
 
-    if (fault->every < 0)
+    if (fault->every < 0) {
         return random_uniform(&head->random) < fault->share;
+    }
     return past >= 0 && past % (int)fault->every == 0;
 }
 
@@ -74,17 +76,20 @@ static const struct frame_fault *fault_now(struct head *head, int64_t t_ns)
     const struct frame_fault *found = NULL;
     double t_s = (double)t_ns * 1e-9;
 
-    if (head->warm_left > 0)
+    if (head->warm_left > 0) {
         return NULL;
+    }
     for (int i = 0; i < SCENARIO_FAULTS; i++) {
         const struct frame_fault *fault = &head->faults[i];
 
         if (fault->kind < 0 || t_s < fault->from_s ||
-            (fault->for_s >= 0 && t_s >= fault->from_s + fault->for_s))
+            (fault->for_s >= 0 && t_s >= fault->from_s + fault->for_s)) {
             continue;
+        }
         head->answers[i]++;
-        if (found == NULL && strikes(head, fault, head->answers[i]))
+        if (found == NULL && strikes(head, fault, head->answers[i])) {
             found = fault;
+        }
     }
     return found;
 }
@@ -112,10 +117,11 @@ static void corrupt(struct head *head, uint8_t *line, size_t size)
     uint8_t good[HEAD_LINE_MAX];
 
     memcpy(good, line, size);
-    do
-        for (size_t flips = 1 + pick(head, 3); flips > 0; flips--)
+    do {
+        for (size_t flips = 1 + pick(head, 3); flips > 0; flips--) {
             line[pick(head, size)] ^= (uint8_t)(1u << pick(head, 8));
-    while (memcmp(good, line, size) == 0);
+        }
+    } while (memcmp(good, line, size) == 0);
 }
 
 void head_spoil_one(struct random *random, uint8_t *payload, const struct head_value *values,
@@ -123,10 +129,11 @@ void head_spoil_one(struct random *random, uint8_t *payload, const struct head_v
 {
     const struct head_value *one = &values[(int)(random_uniform(random) * count)];
 
-    if (one->bytes == 2)
+    if (one->bytes == 2) {
         head_put_16(payload + one->at, one->value);
-    else
+    } else {
         payload[one->at] = (uint8_t)one->value;
+    }
 }
 
 /* Spoils the good frame of SIZE bytes in LINE. Returns how many bytes are to be sent. */
@@ -143,9 +150,9 @@ static size_t spoil(struct head *head, enum frame_fault_kind kind, uint8_t *line
     case FRAME_TRUNCATE:
         return pick(head, size);
     case FRAME_INSERT:
-        do
+        do {
             byte = any_byte(head);
-        while (byte == line[0]); /* that would begin the whole frame anew */
+        } while (byte == line[0]); /* that would begin the whole frame anew */
         return insert(line, size, 1 + pick(head, size - 1), byte);
     case FRAME_RESYNC: /* the line is heard from the middle of the frame on */
         from = 1 + pick(head, size - 1);
@@ -159,8 +166,9 @@ static size_t spoil(struct head *head, enum frame_fault_kind kind, uint8_t *line
         head->spoil(&head->random, payload);
         return head_encode(head->kind, head->count, payload, head->payload_bytes, line);
     case FRAME_NOISE:
-        for (size_t i = 0; i < size; i++)
+        for (size_t i = 0; i < size; i++) {
             line[i] = any_byte(head);
+        }
         return size;
     default: /* FRAME_SILENCE */
         return 0;
@@ -217,8 +225,9 @@ size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
     const struct frame_fault *fault;
     size_t size;
 
-    if (t_ns < head->due_ns)
+    if (t_ns < head->due_ns) {
         return 0;
+    }
     size = head_encode(head->kind, head->count, head->payload, head->payload_bytes, line);
     fault = fault_now(head, head->due_ns);
     if (fault == NULL) {
@@ -227,12 +236,14 @@ size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
         head->bad_ns = INT64_MAX;
     } else {
         size = spoil(head, (enum frame_fault_kind)fault->kind, line, size);
-        if (head->bad_ns == INT64_MAX)
+        if (head->bad_ns == INT64_MAX) {
             head->bad_ns = head->due_ns;
+        }
     }
     head->count = (head->count + 1) % 16;
-    if (head->warm_left > 0)
+    if (head->warm_left > 0) {
         head->warm_left--;
+    }
     head->due_ns = INT64_MAX;
     return size;
 }

@@ -24,8 +24,9 @@ static void find_terminal(struct live *live)
 
     setlocale(LC_CTYPE, "");
     live->is_utf8 = strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
-    if (ioctl(fileno(live->out), TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)
+    if (ioctl(fileno(live->out), TIOCGWINSZ, &size) == 0 && size.ws_col >= 40) {
         live->width = size.ws_col - 1 < YARD_WIDTH_MAX ? size.ws_col - 1 : YARD_WIDTH_MAX;
+    }
     fputs("\033[?25l", live->out); /* no cursor */
     fflush(live->out);
 }
@@ -38,24 +39,29 @@ void live_begin(struct live *live, const struct scenario *scenario, const struct
     live->view_m = fmax(scenario->lead.present ? scenario->lead.gap_m * 1.1 : 0, 6);
     live->begin_s = real_s();
     live->is_yard = scenario->world == WORLD_PARK;
-    if (live->is_terminal)
+    if (live->is_terminal) {
         find_terminal(live);
-    if (live->is_yard)
+    }
+    if (live->is_yard) {
         yard_init(&live->yard, &scenario->park, live->width);
+    }
 }
 
 static double column(const struct live *live, const char *name, const double *values)
 {
-    for (int i = 0; i < live->class->column_count; i++)
-        if (strcmp(live->class->columns[i].name, name) == 0)
+    for (int i = 0; i < live->class->column_count; i++) {
+        if (strcmp(live->class->columns[i].name, name) == 0) {
             return values[i];
+        }
+    }
     return NAN;
 }
 
 static void repeat(FILE *out, const char *text, int count)
 {
-    while (count-- > 0)
+    while (count-- > 0) {
         fputs(text, out);
+    }
 }
 
 /* A car, the open road, the car ahead: its rear stands where the gap ends. */
@@ -71,8 +77,9 @@ static void draw_road(const struct live *live, double gap_m)
     repeat(live->out, rail, live->width);
     fputs("\033[K\n", live->out);
     fputs(ego, live->out);
-    for (int i = 0; i < free; i++)
+    for (int i = 0; i < free; i++) {
         fputs(i % 4 == 3 ? mark : " ", live->out);
+    }
     fprintf(live->out, "%s\033[K\n", in_sight ? lead : "");
     repeat(live->out, rail, live->width);
     fputs("\033[K\n", live->out);
@@ -93,10 +100,11 @@ static void draw_drive(const struct live *live, const double *values)
     double gap = column(live, "gap_m", values), brake = column(live, "brake_pct", values);
 
     draw_road(live, gap);
-    if (isnan(gap))
+    if (isnan(gap)) {
         fprintf(live->out, " gap         -       ");
-    else
+    } else {
         fprintf(live->out, " gap     %6.2f m     ", gap);
+    }
     draw_bar(live, isnan(gap) ? 1 : gap / live->view_m);
     fprintf(live->out, " brake   %6.1f %%     ", brake);
     draw_bar(live, brake / 100);
@@ -122,21 +130,25 @@ static void draw_words(const struct live *live, const double *values)
         {"lane", "OTHER LANE"},
     };
 
-    for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
-        if (column(live, words[k][0], values) > 0)
+    for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
+        if (column(live, words[k][0], values) > 0) {
             fprintf(live->out, "%s  ", words[k][1]);
+        }
+    }
 }
 
 static void draw(struct live *live, int64_t t_ns, const double *values, const char *state)
 {
-    if (live->drawn > 0)
+    if (live->drawn > 0) {
         fprintf(live->out, "\033[%dA", live->drawn);
+    }
     fprintf(live->out, "%-*.*s %6.2f s\033[K\n", live->width - 9, live->width - 9, live->title,
             (double)t_ns * 1e-9);
-    if (live->is_yard)
+    if (live->is_yard) {
         draw_parking(live, values);
-    else
+    } else {
         draw_drive(live, values);
+    }
     fprintf(live->out, "%-10s", state);
     draw_words(live, values);
     fputs("\033[K\n", live->out);
@@ -149,17 +161,19 @@ static void print_line(const struct live *live, int64_t t_ns, const double *valu
     double gap = column(live, "gap_m", values);
 
     fprintf(live->out, "%6.2f s  ", (double)t_ns * 1e-9);
-    if (live->is_yard)
+    if (live->is_yard) {
         fprintf(live->out, "x %7.3f m  y %7.3f m  heading %6.1f  steering %5.1f  %s",
                 column(live, "x_m", values), column(live, "y_m", values),
                 column(live, "heading_deg", values), column(live, "steer_deg", values), state);
-    else if (isnan(gap))
+    } else if (isnan(gap)) {
         fprintf(live->out, "nothing ahead");
-    else
+    } else {
         fprintf(live->out, "gap %7.3f m", gap);
-    if (!live->is_yard)
+    }
+    if (!live->is_yard) {
         fprintf(live->out, "  speed %6.3f m/s  brake %5.1f %%  %s", column(live, "ego_mps", values),
                 column(live, "brake_pct", values), state);
+    }
     fprintf(live->out, "%s%s%s\n", column(live, "stop", values) > 0 ? "  stop line" : "",
             column(live, "lamp", values) > 0 ? "  lamp" : "",
             column(live, "buzzer", values) > 0 ? "  buzzer" : "");
@@ -170,8 +184,9 @@ static void wait_until(const struct live *live, int64_t t_ns)
     double ahead_s = (double)t_ns * 1e-9 - (real_s() - live->begin_s);
     struct timespec pause;
 
-    if (ahead_s <= 0)
+    if (ahead_s <= 0) {
         return;
+    }
     pause.tv_sec = (time_t)ahead_s;
     pause.tv_nsec = (long)((ahead_s - floor(ahead_s)) * 1e9);
     nanosleep(&pause, NULL); /* a signal ends it early, which is meant */
@@ -183,8 +198,9 @@ void live_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
     struct live *live = user;
     const char *state = telemetry_value(telemetry, "state");
 
-    if (t_ns < live->next_ns)
+    if (t_ns < live->next_ns) {
         return;
+    }
     if (!live->is_terminal) {
         live->next_ns = t_ns + PLAIN_NS;
         print_line(live, t_ns, values, state);
@@ -198,7 +214,8 @@ void live_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
 
 void live_end(struct live *live)
 {
-    if (live->is_terminal)
+    if (live->is_terminal) {
         fputs("\033[?25h", live->out);
+    }
     fflush(live->out);
 }

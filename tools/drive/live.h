@@ -17,7 +17,7 @@ struct live {
     bool is_yard;
     int drawn; /* lines of the picture to draw over */
     int width;
-    double view_m;  /* the road's length on the screen */
+    double view_m; /* the road's length on the screen */
     struct yard yard;
     double begin_s; /* of real time */
     int64_t next_ns;

@@ -76,8 +76,9 @@ static long parse_count(struct argp_state *state, const char *option, const char
 
     errno = 0;
     value = strtol(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || value < low || value > high)
+    if (errno != 0 || end == text || *end != '\0' || value < low || value > high) {
         argp_error(state, "--%s=%s: give a whole number in %ld..%ld", option, text, low, high);
+    }
     return value;
 }
 
@@ -128,13 +129,15 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         arguments->has_seed = true;
         break;
     case OPT_SET:
-        if (arguments->setting_count == MAX_SETTINGS)
+        if (arguments->setting_count == MAX_SETTINGS) {
             argp_error(state, "more than %d --set; write a scenario file", MAX_SETTINGS);
+        }
         arguments->settings[arguments->setting_count++] = text;
         break;
     case ARGP_KEY_ARG:
-        if (arguments->word_count == 2)
+        if (arguments->word_count == 2) {
             argp_error(state, "too many arguments");
+        }
         arguments->words[arguments->word_count++] = text;
         break;
     default:
@@ -147,11 +150,12 @@ static const struct argp parser = {
     .options = options,
     .parser = take_option,
     .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\ncanary",
-    .doc = "Runs a controller's real image in the simulator s51, in a closed loop with a modelled "
-           "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
-           "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
-           "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, no image "
-           "to run, or the simulator failed.",
+    .doc =
+        "Runs a controller's real image in the simulator s51, in a closed loop with a modelled "
+        "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
+        "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
+        "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, no image "
+        "to run, or the simulator failed.",
 };
 
 /* --- what came of it ----------------------------------------------------------------------- */
@@ -162,8 +166,9 @@ static const char *stem(const char *path)
     const char *base = strrchr(path, '/');
 
     snprintf(name, sizeof name, "%s", base != NULL ? base + 1 : path);
-    if (strrchr(name, '.') != NULL)
+    if (strrchr(name, '.') != NULL) {
         *strrchr(name, '.') = '\0';
+    }
     return name;
 }
 
@@ -173,19 +178,20 @@ static void print_summary(const struct run *run, const struct scenario *scenario
     const double *value = run->outcome.values;
 
     printf("%s: ", scenario->title);
-    if (value[METRIC_RESETS] > 0)
+    if (value[METRIC_RESETS] > 0) {
         printf("the watchdog reset the controller after %.2f s\n", (double)run->duration_ns * 1e-9);
-    else if (value[METRIC_IMPACT] > 0)
+    } else if (value[METRIC_IMPACT] > 0) {
         printf("impact at %.2f m/s after %.2f s\n", value[METRIC_IMPACT_MPS],
                (double)run->duration_ns * 1e-9);
-    else if (value[METRIC_FINAL_SPEED] > 0)
+    } else if (value[METRIC_FINAL_SPEED] > 0) {
         printf("drives at %.2f m/s after %.2f s\n", value[METRIC_FINAL_SPEED],
                (double)run->duration_ns * 1e-9);
-    else if (isfinite(value[METRIC_STOP_GAP]))
+    } else if (isfinite(value[METRIC_STOP_GAP])) {
         printf("stopped %.2f m behind the car ahead after %.2f s\n", value[METRIC_STOP_GAP],
                run->outcome.rest_s);
-    else
+    } else {
         printf("stopped after %.2f s, with nothing ahead\n", run->outcome.rest_s);
+    }
     printf("  peak deceleration %.2f m/s2, peak jerk %.1f m/s3, most brake %.0f %%\n",
            value[METRIC_PEAK_DECEL], value[METRIC_PEAK_JERK], value[METRIC_MAX_BRAKE]);
 }
@@ -198,14 +204,15 @@ static bool judge(const struct expectation *expectation, const struct outcome *o
 
     expect_format(expectation, expected, sizeof expected);
     expect_value(expectation->metric, outcome, value, sizeof value);
-    if (!arguments->brief)
+    if (!arguments->brief) {
         printf("  %s  %-36s %s\n", holds ? "holds" : "FAILS", expected, value);
-    else if (holds)
+    } else if (holds) {
         printf("%s:%d:%s %s %s:PASS\n", arguments->scenario, expectation->line, arguments->board,
                stem(arguments->scenario), expected);
-    else
+    } else {
         printf("%s:%d:%s %s %s:FAIL: it is %s\n", arguments->scenario, expectation->line,
                arguments->board, stem(arguments->scenario), expected, value);
+    }
     return holds;
 }
 
@@ -220,10 +227,12 @@ static void add_understood(struct scenario *scenario)
     for (size_t k = 0; k < sizeof understood / sizeof understood[0]; k++) {
         bool stated = understood[k].metric == METRIC_IMPACT && scenario->world == WORLD_PARK;
 
-        for (int i = 0; i < scenario->expect_count; i++)
+        for (int i = 0; i < scenario->expect_count; i++) {
             stated |= scenario->expect[i].metric == understood[k].metric;
-        if (!stated && scenario->expect_count < EXPECT_MAX)
+        }
+        if (!stated && scenario->expect_count < EXPECT_MAX) {
             scenario->expect[scenario->expect_count++] = understood[k];
+        }
     }
 }
 
@@ -233,23 +242,28 @@ static int report(const struct run *run, const struct scenario *scenario,
     const struct world_class *class = world_class((enum world_kind)scenario->world);
     int status = EXIT_FINE;
 
-    if (!run->triggered)
+    if (!run->triggered) {
         return diag_error(arguments->hex, 0,
                           "no trigger pulse within %d s; does the image fit board %s, and does its "
                           "self-test pass? It said: '%.80s'",
                           RUN_BOOT_S, arguments->board, run->telemetry.log);
-    if (!arguments->brief && class->tell != NULL && run->outcome.values[METRIC_RESETS] <= 0)
+    }
+    if (!arguments->brief && class->tell != NULL && run->outcome.values[METRIC_RESETS] <= 0) {
         class->tell(&run->outcome, scenario);
-    else if (!arguments->brief)
+    } else if (!arguments->brief) {
         print_summary(run, scenario);
-    for (int i = 0; i < scenario->expect_count; i++)
-        if (!judge(&scenario->expect[i], &run->outcome, arguments))
+    }
+    for (int i = 0; i < scenario->expect_count; i++) {
+        if (!judge(&scenario->expect[i], &run->outcome, arguments)) {
             status = EXIT_INPUT;
-    if (arguments->stats)
+        }
+    }
+    if (arguments->stats) {
         printf("  %.2f s simulated in %.2f s: %.2f times real time, %lld syncs%s\n",
                (double)(run->boot_ns + run->duration_ns) * 1e-9, run->wall_s,
                (double)(run->boot_ns + run->duration_ns) * 1e-9 / run->wall_s,
                (long long)run->syncs, run->restarts > 0 ? ", begun again" : "");
+    }
     return status;
 }
 
@@ -266,19 +280,23 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
                                        {&live, NULL, NULL, live_row}};
     int status;
 
-    if (trace_open(&trace, &arguments->paths, class) != EXIT_FINE)
+    if (trace_open(&trace, &arguments->paths, class) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (arguments->live)
+    }
+    if (arguments->live) {
         live_begin(&live, scenario, class, stdout);
-    else
+    } else {
         cpu_claim();
+    }
     status = run_scenario(&run, setup, observers, arguments->live ? 2 : 1);
-    if (arguments->live)
+    if (arguments->live) {
         live_end(&live);
+    }
     if (status == EXIT_FINE) {
         status = report(&run, scenario, arguments);
-        if (run.triggered && trace_commit(&trace, &run, setup) != EXIT_FINE)
+        if (run.triggered && trace_commit(&trace, &run, setup) != EXIT_FINE) {
             status = EXIT_INPUT;
+        }
     }
     trace_abandon(&trace);
     run_free(&run);
@@ -304,8 +322,9 @@ static int command_run(struct arguments *arguments)
         return EXIT_USAGE;
     }
     if (scenario_read(&scenario, arguments->scenario, arguments->settings,
-                      arguments->setting_count) != EXIT_FINE)
+                      arguments->setting_count) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     if (arguments->hex == NULL) {
         snprintf(image, sizeof image, "build/%s/%s.ihx", setup.board->name, scenario.app);
         setup.hex = arguments->hex = image;
@@ -313,8 +332,9 @@ static int command_run(struct arguments *arguments)
     add_understood(&scenario);
     setup.guess = arguments->guess && !arguments->live;
     setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;
-    if (canary_check_version() != EXIT_FINE)
+    if (canary_check_version() != EXIT_FINE) {
         return EXIT_USAGE;
+    }
     return run_and_report(&setup, &scenario, arguments);
 }
 
@@ -328,12 +348,15 @@ int main(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
     s51_catch_signals();
     command = arguments.word_count > 0 ? arguments.words[0] : "";
-    if (strcmp(command, "run") == 0 && arguments.word_count == 1)
+    if (strcmp(command, "run") == 0 && arguments.word_count == 1) {
         return command_run(&arguments);
-    if (strcmp(command, "list") == 0 && arguments.word_count == 2)
+    }
+    if (strcmp(command, "list") == 0 && arguments.word_count == 2) {
         return list_scenarios(arguments.words[1]);
-    if (strcmp(command, "canary") == 0 && arguments.word_count == 1)
+    }
+    if (strcmp(command, "canary") == 0 && arguments.word_count == 1) {
         return canary_run();
+    }
     diag_error(NULL, 0, "say what to do: run, list DIR or canary; see drive --help");
     return EXIT_USAGE;
 }

@@ -9,8 +9,9 @@ void pace_note(struct pace *pace, int64_t t_ns)
 
     /* A pause of more than a second says nothing about the pace. */
     if (pace->last_ns > 0 && pause_ns < max_pause_ns &&
-        (pace->pause_ns == 0 || pause_ns < pace->pause_ns))
+        (pace->pause_ns == 0 || pause_ns < pace->pause_ns)) {
         pace->pause_ns = pause_ns;
+    }
     pace->last_ns = t_ns;
 }
 

@@ -47,8 +47,9 @@ static void drive(struct world *world, double dt_s)
 {
     double used_s = truck_drive(&world->truck, world->steer_rad, dt_s);
 
-    if (world->truck.y_m > 0)
+    if (world->truck.y_m > 0) {
         return;
+    }
     world->arrived = true;
     world->arrived_s = now_s(world) + used_s;
     world->end_x_m = world->truck.x_m;
@@ -61,12 +62,15 @@ static void advance(struct world *world, int64_t t_ns)
         int64_t next_ns = (world->now_ns / world->step_ns + 1) * world->step_ns;
         bool stands = world->levels[PIN_STOP] || world->arrived;
 
-        if (next_ns > t_ns)
+        if (next_ns > t_ns) {
             next_ns = t_ns;
-        if (stands && now_s(world) >= world->event_s && isinf(world->stood_s))
+        }
+        if (stands && now_s(world) >= world->event_s && isinf(world->stood_s)) {
             world->stood_s = now_s(world);
-        if (!stands)
+        }
+        if (!stands) {
             drive(world, (double)(next_ns - world->now_ns) * 1e-9);
+        }
         world->now_ns = next_ns;
     }
 }
@@ -76,8 +80,9 @@ static void steer(struct world *world)
     double part = (world->servo.pulse_us - servo_mid_us) / servo_span_us;
 
     world->steer_rad = fmin(fmax(part, -1), 1) * world->full_steer_rad;
-    if (!world->started || world->now_ns < head_blind_ns(&world->head))
+    if (!world->started || world->now_ns < head_blind_ns(&world->head)) {
         world->seen_rad = world->steer_rad;
+    }
     world->blind_steer_rad = fmax(world->blind_steer_rad, fabs(world->steer_rad - world->seen_rad));
 }
 
@@ -112,15 +117,17 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
     world->levels[pin] = level;
     switch (pin) {
     case PIN_SERVO:
-        if (servo_edge(&world->servo, t_ns, level))
+        if (servo_edge(&world->servo, t_ns, level)) {
             steer(world);
+        }
         break;
     case PIN_STOP:
         world->stop_toggles += world->started;
         break;
     case PIN_BUZZER:
-        if (!level && world->started && now_s(world) >= world->event_s)
+        if (!level && world->started && now_s(world) >= world->event_s) {
             world->alarm_s = fmin(world->alarm_s, now_s(world));
+        }
         break;
     case PIN_TRIGGER:
         base_trigger(world, t_ns, level);
@@ -164,8 +171,9 @@ static void state_reported(struct world *world, int64_t t_ns, const char *state)
 {
     double t_s = (double)t_ns * 1e-9;
 
-    if (strcmp(state, "FAULT") == 0 && t_s >= world->event_s)
+    if (strcmp(state, "FAULT") == 0 && t_s >= world->event_s) {
         world->first_fault_s = fmin(world->first_fault_s, t_s);
+    }
 }
 
 static bool is_over(const struct world *world)
@@ -189,13 +197,14 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
     const double *value = outcome->values;
 
     printf("%s: ", scenario->title);
-    if (isinf(value[METRIC_ARRIVES_WITHIN]))
+    if (isinf(value[METRIC_ARRIVES_WITHIN])) {
         printf("never came to Y = 0\n");
-    else
+    } else {
         printf("%s, %.3f m beside the place and turned by %.2f degrees, after %.2f s\n",
                value[METRIC_PARKED] > 0 ? "parked" : "not parked, the start is in the dead zone",
                value[METRIC_END_X], value[METRIC_END_TURN],
                value[METRIC_ARRIVES_WITHIN] + scenario->event_s);
+    }
 }
 
 static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)

@@ -24,8 +24,9 @@ bool pwm_edge(struct pwm *pwm, int64_t t_ns, bool level)
         pwm->fall_ns = t_ns;
         return false;
     }
-    if (pwm->has_rise && period_ns > 0)
+    if (pwm->has_rise && period_ns > 0) {
         changed = set_duty(pwm, 100.0 * (double)(pwm->fall_ns - pwm->rise_ns) / (double)period_ns);
+    }
     pwm->has_rise = true;
     pwm->rise_ns = t_ns;
     return changed;

@@ -50,8 +50,9 @@ static struct sight look(const struct world *world)
     struct sight sight = {.range_m = hypot(x, y)};
 
     if (!(sight.range_m <= world->front.max_m) ||
-        !(fabs(atan2(y, x)) <= world->front.fov_deg * degree))
+        !(fabs(atan2(y, x)) <= world->front.fov_deg * degree)) {
         return sight;
+    }
     sight.target = true;
     sight.azimuth_rad = side * atan2(y, x);
     sight.closing_mps =
@@ -66,10 +67,12 @@ static void add_noise(struct world *world, struct sight *sight)
     sight->range_m += front->range_noise_m * random_normal(&world->random);
     sight->closing_mps += front->closing_noise_mps * random_normal(&world->random);
     sight->azimuth_rad += front->azimuth_noise_deg * degree * random_normal(&world->random);
-    if (random_uniform(&world->random) < front->dropout)
+    if (random_uniform(&world->random) < front->dropout) {
         sight->target = false;
-    if (sight->range_m < 0)
+    }
+    if (sight->range_m < 0) {
         sight->range_m = 0;
+    }
 }
 
 static void measure_beats(const struct world *world, const struct sight *sight, uint8_t *payload)
@@ -91,12 +94,14 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
     double radius = world->road.radius_m;
 
-    for (int i = 0; i < PAYLOAD_BYTES; i++)
+    for (int i = 0; i < PAYLOAD_BYTES; i++) {
         payload[i] = 0;
+    }
     world->seen = look(world);
     add_noise(world, &world->seen);
-    if (world->seen.target)
+    if (world->seen.target) {
         measure_beats(world, &world->seen, payload);
+    }
     head_put_16(payload + 8, lround(world->rig.car.v_mps * 36));
     head_put_16(payload + 10, fabs(radius) > 0 ? lround(1e6 / radius) : 0);
     payload[12] = (uint8_t)((world->seen.target ? FLAG_TARGET : 0) |
@@ -139,10 +144,12 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
 {
     base_advance(world, t_ns);
     rig_pin(&world->rig, t_ns, pin, level);
-    if (pin == PIN_CUT && world->rig.started)
+    if (pin == PIN_CUT && world->rig.started) {
         car_cut(&world->rig.car, t_ns, level);
-    if (pin == PIN_TRIGGER)
+    }
+    if (pin == PIN_TRIGGER) {
         base_trigger(world, t_ns, level);
+    }
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */
@@ -183,16 +190,17 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
     const double *value = outcome->values;
 
     printf("%s: ", scenario->title);
-    if (value[METRIC_IMPACT] > 0)
+    if (value[METRIC_IMPACT] > 0) {
         printf("impact at %.1f km/h, closing at %.1f km/h\n", value[METRIC_FINAL_SPEED] * 3.6,
                value[METRIC_IMPACT_MPS] * 3.6);
-    else if (isinf(value[METRIC_BRAKE_GAP]))
+    } else if (isinf(value[METRIC_BRAKE_GAP])) {
         printf("the driver kept control\n");
-    else if (isinf(value[METRIC_RELEASE_GAP]))
+    } else if (isinf(value[METRIC_RELEASE_GAP])) {
         printf("brakes from %.1f m on, to the end\n", value[METRIC_BRAKE_GAP]);
-    else
+    } else {
         printf("brakes from %.1f m on, lets go at %.1f m and %.1f km/h\n", value[METRIC_BRAKE_GAP],
                value[METRIC_RELEASE_GAP], value[METRIC_RELEASE_KMH]);
+    }
     printf("  peak deceleration %.2f m/s2, most brake %.0f %%\n", value[METRIC_PEAK_DECEL],
            value[METRIC_MAX_BRAKE]);
 }

@@ -25,8 +25,9 @@ static void note_release(struct rig *rig, double demand)
 {
     bool first = isnan(rig->brake_gap_m);
 
-    if (first && demand > 0)
+    if (first && demand > 0) {
         rig->brake_gap_m = car_gap_m(&rig->car);
+    }
     if (!first && isnan(rig->release_gap_m) && demand <= 0) {
         rig->release_gap_m = car_gap_m(&rig->car);
         rig->release_kmh = rig->car.v_mps * 3.6;
@@ -40,12 +41,14 @@ static void note_demand(struct rig *rig)
     rig->max_brake_pct = fmax(rig->max_brake_pct, demand);
     if (rig->now_ns >= rig->event_ns) {
         rig->min_brake_pct = fmin(rig->min_brake_pct, fmax(demand, 0));
-        if (demand >= 100 && isinf(rig->full_brake_s))
+        if (demand >= 100 && isinf(rig->full_brake_s)) {
             rig->full_brake_s = t_s;
+        }
     }
     if (isinf(rig->hard_braking_s) &&
-        demand / 100 * rig->car.ego.brake_max_mps2 >= hard_braking_mps2)
+        demand / 100 * rig->car.ego.brake_max_mps2 >= hard_braking_mps2) {
         rig->hard_braking_s = t_s;
+    }
     if (fabs(demand - rig->counted_duty_pct) > duty_step_pct) {
         rig->counted_duty_pct = demand;
         rig->duty_steps++;
@@ -72,14 +75,16 @@ static void update_demand(struct rig *rig)
 void rig_throttle(struct rig *rig, double throttle_pct)
 {
     rig->throttle_pct = throttle_pct;
-    if (rig->started)
+    if (rig->started) {
         update_demand(rig);
+    }
 }
 
 void rig_blind(struct rig *rig, bool blind)
 {
-    if (!rig->blind)
+    if (!rig->blind) {
         rig->seen_pct = rig->car.demand_pct;
+    }
     rig->blind = blind;
 }
 
@@ -90,16 +95,20 @@ void rig_advance(struct rig *rig, int64_t t_ns)
     while (rig->started && rig->now_ns < t_ns) {
         int64_t next = t_ns, steady = pwm_steady_ns(&rig->pwm);
 
-        if (steady < next)
+        if (steady < next) {
             next = steady;
-        if (rig->event_ns > rig->now_ns && rig->event_ns < next)
+        }
+        if (rig->event_ns > rig->now_ns && rig->event_ns < next) {
             next = rig->event_ns;
+        }
         car_advance(&rig->car, next);
         rig->now_ns = next;
-        if (next == steady && pwm_settle(&rig->pwm))
+        if (next == steady && pwm_settle(&rig->pwm)) {
             update_demand(rig);
-        if (next == rig->event_ns)
+        }
+        if (next == rig->event_ns) {
             note_demand(rig);
+        }
     }
 }
 
@@ -107,10 +116,12 @@ static void warning_goes_on(struct rig *rig)
 {
     bool both = !rig->levels[PIN_LAMP] && !rig->levels[PIN_BUZZER];
 
-    if (!both) /* the first of the two */
+    if (!both) { /* the first of the two */
         rig->warnings++;
-    if (isinf(rig->first_warning_s))
+    }
+    if (isinf(rig->first_warning_s)) {
         rig->first_warning_s = seconds(rig->now_ns);
+    }
 }
 
 static void stop_line_changes(struct rig *rig, bool level)
@@ -129,10 +140,12 @@ static void stop_line_changes(struct rig *rig, bool level)
 /* While the world stands, so that it starts at the duty that the controller has set by then. */
 static void read_duty_early(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level)
 {
-    if (pwm_steady_ns(&rig->pwm) <= t_ns)
+    if (pwm_steady_ns(&rig->pwm) <= t_ns) {
         pwm_settle(&rig->pwm);
-    if (pin != PIN_PWM)
+    }
+    if (pin != PIN_PWM) {
         return;
+    }
     pwm_edge(&rig->pwm, t_ns, level);
     rig->has_duty = true;
 }
@@ -147,18 +160,21 @@ void rig_pin(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level)
     }
     switch (pin) {
     case PIN_PWM:
-        if (pwm_edge(&rig->pwm, rig->now_ns, level))
+        if (pwm_edge(&rig->pwm, rig->now_ns, level)) {
             update_demand(rig);
+        }
         break;
     case PIN_STOP:
         stop_line_changes(rig, level);
         break;
     case PIN_LAMP:
     case PIN_BUZZER:
-        if (!level)
+        if (!level) {
             warning_goes_on(rig);
-        if (!level && pin == PIN_BUZZER && rig->now_ns >= rig->event_ns)
+        }
+        if (!level && pin == PIN_BUZZER && rig->now_ns >= rig->event_ns) {
             rig->alarm_s = fmin(rig->alarm_s, seconds(rig->now_ns));
+        }
         break;
     default:
         break;
@@ -189,19 +205,22 @@ void rig_start(struct rig *rig, const bool levels[BOARD_OUTPUTS])
     rig->started = true;
     duty_pct = rig->pwm.duty_pct;
     pwm_init(&rig->pwm, 0, levels[PIN_PWM]);
-    if (rig->has_duty)
+    if (rig->has_duty) {
         rig->pwm.duty_pct = duty_pct;
+    }
     car_demand(&rig->car, 0, demand_pct(rig));
     rig->counted_duty_pct = rig->car.demand_pct;
     note_demand(rig);
-    if (!levels[PIN_LAMP] || !levels[PIN_BUZZER])
+    if (!levels[PIN_LAMP] || !levels[PIN_BUZZER]) {
         rig->warnings = 1, rig->first_warning_s = 0;
+    }
 }
 
 void rig_state_reported(struct rig *rig, int64_t t_ns, const char *state)
 {
-    if (strcmp(state, "FAULT") == 0 && t_ns >= rig->event_ns && isinf(rig->first_fault_s))
+    if (strcmp(state, "FAULT") == 0 && t_ns >= rig->event_ns && isinf(rig->first_fault_s)) {
         rig->first_fault_s = seconds(t_ns);
+    }
 }
 
 bool rig_is_over(const struct rig *rig)

@@ -17,7 +17,7 @@ struct rig {
     struct pwm pwm;
     bool levels[BOARD_OUTPUTS];
     bool started;
-    bool has_duty; /* the PWM was read before the start */
+    bool has_duty;          /* the PWM was read before the start */
     double throttle_pct;    /* where the controller has it; 0 otherwise */
     bool blind;             /* readings are missing: the demand must not leave seen_pct */
     double event_s, hold_s; /* as in the scenario */
@@ -34,10 +34,7 @@ struct rig {
 enum { RIG_COLUMNS = 8 };
 #define RIG_COLUMN_NAMES                                                                           \
     {"gap_m", 4}, {"ego_mps", 4}, {"lead_mps", 4}, {"accel_mps2", 3}, {"brake_pct", 1},            \
-        {"stop", 0}, {"lamp", 0},                                                                  \
-    {                                                                                              \
-        "buzzer", 0                                                                                \
-    }
+        {"stop", 0}, {"lamp", 0}, {"buzzer", 0}
 
 void rig_init(struct rig *rig, const struct scenario *scenario, int64_t step_ns);
 
@@ -51,7 +48,8 @@ void rig_advance(struct rig *rig, int64_t t_ns);
  * noted. */
 void rig_pin(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level);
 
-/* The controller's throttle is open so far: the same as a brake of less than 0, unless that is on. */
+/* The controller's throttle is open so far: the same as a brake of less than 0, unless that is on.
+ */
 void rig_throttle(struct rig *rig, double throttle_pct);
 
 /* From now on readings are missing, or no longer. */

@@ -53,9 +53,11 @@ static double wall_s(void)
 
 static void show_pin(const struct loop *loop, int64_t t_ns, enum board_pin pin, bool level)
 {
-    for (int i = 0; i < loop->observer_count; i++)
-        if (loop->observers[i].pin != NULL)
+    for (int i = 0; i < loop->observer_count; i++) {
+        if (loop->observers[i].pin != NULL) {
             loop->observers[i].pin(loop->observers[i].user, t_ns, pin, level);
+        }
+    }
 }
 
 /* Shows the inputs until T_NS. */
@@ -77,9 +79,11 @@ static void show_row(const struct loop *loop, int64_t t_ns)
     double values[WORLD_COLUMNS];
 
     loop->class->values(loop->world, values);
-    for (int i = 0; i < loop->observer_count; i++)
-        if (loop->observers[i].row != NULL)
+    for (int i = 0; i < loop->observer_count; i++) {
+        if (loop->observers[i].row != NULL) {
             loop->observers[i].row(loop->observers[i].user, t_ns, values, &loop->run->telemetry);
+        }
+    }
 }
 
 static void start_world(struct loop *loop, int64_t start_ns)
@@ -87,9 +91,11 @@ static void start_world(struct loop *loop, int64_t start_ns)
     loop->run->triggered = true;
     loop->run->boot_ns = loop->start_ns = start_ns;
     loop->class->start(loop->world, loop->levels);
-    for (int pin = 0; pin < BOARD_OUTPUTS; pin++)
-        if (pin != PIN_TRIGGER)
+    for (int pin = 0; pin < BOARD_OUTPUTS; pin++) {
+        if (pin != PIN_TRIGGER) {
             show_pin(loop, 0, (enum board_pin)pin, loop->levels[pin]);
+        }
+    }
     show_row(loop, 0);
 }
 
@@ -101,12 +107,14 @@ static void take_edges(struct loop *loop)
 
         loop->levels[edge->pin] = edge->level;
         if (!loop->run->triggered && edge->pin == PIN_TRIGGER && edge->level &&
-            (loop->class->is_warm == NULL || loop->class->is_warm(loop->world)))
+            (loop->class->is_warm == NULL || loop->class->is_warm(loop->world))) {
             start_world(loop, edge->time_ns);
+        }
         if (!loop->run->triggered) {
-            if (loop->class->is_warm != NULL)
+            if (loop->class->is_warm != NULL) {
                 loop->class->pin_changed(loop->world, edge->time_ns, (enum board_pin)edge->pin,
                                          edge->level);
+            }
         } else {
             int64_t t_ns = edge->time_ns - loop->start_ns;
 
@@ -124,14 +132,16 @@ static void note_state(void *user, const struct telemetry *telemetry)
     const char *state = telemetry_value(telemetry, "state");
     char word[TELEMETRY_FIELD_SIZE + 2];
 
-    if (state[0] == '\0' || !loop->run->triggered)
+    if (state[0] == '\0' || !loop->run->triggered) {
         return;
+    }
     loop->class->state_reported(loop->world, telemetry->line_ns, state);
     snprintf(outcome->final_state, sizeof outcome->final_state, "%s", state);
     snprintf(word, sizeof word, "%s ", state);
     if (strstr(outcome->states, word) == NULL &&
-        strlen(outcome->states) + strlen(word) < sizeof outcome->states)
+        strlen(outcome->states) + strlen(word) < sizeof outcome->states) {
         strcat(outcome->states, word);
+    }
 }
 
 static void take_uart(struct loop *loop)
@@ -139,8 +149,9 @@ static void take_uart(struct loop *loop)
     char bytes[512];
     size_t got;
 
-    while ((got = s51_receive(&loop->sim, bytes, sizeof bytes)) > 0)
+    while ((got = s51_receive(&loop->sim, bytes, sizeof bytes)) > 0) {
         telemetry_take(&loop->run->telemetry, loop->now_ns, bytes, got, note_state, loop);
+    }
 }
 
 /* --- lockstep ----------------------------------------------------------------------------- */
@@ -155,10 +166,12 @@ static int64_t next_sync_ns(const struct loop *loop, int64_t t_ns)
                                   : loop->class->horizon_ns(loop->world, loop->now_ns);
 
     next_ns -= margin_ns;
-    if (mark_ns < next_ns)
+    if (mark_ns < next_ns) {
         next_ns = mark_ns;
-    if (t_ns < next_ns)
+    }
+    if (t_ns < next_ns) {
         next_ns = t_ns;
+    }
     return s51_grid_ns(&loop->sim, loop->start_ns + next_ns);
 }
 
@@ -171,8 +184,9 @@ static void take_inputs(struct loop *loop, int64_t until_ns)
 
     while (loop->class->next_input != NULL &&
            loop->class->next_input(loop->world, until_ns, &t_ns, &pin, &level)) {
-        if (t_ns < loop->now_ns - PAST_NS)
+        if (t_ns < loop->now_ns - PAST_NS) {
             loop->late = true;
+        }
         s51_set_pin(&loop->sim, loop->start_ns + t_ns, (int)pin - BOARD_OUTPUTS, level);
         loop->inputs[loop->input_count].t_ns = t_ns;
         loop->inputs[loop->input_count].pin = pin;
@@ -186,10 +200,12 @@ static void pass_mark(struct loop *loop)
     uint8_t bytes[WORLD_BYTES];
     int64_t mark_ns = loop->class->mark_ns(loop->world);
 
-    if (mark_ns > loop->now_ns)
+    if (mark_ns > loop->now_ns) {
         return;
-    if (mark_ns < loop->now_ns - PAST_NS)
+    }
+    if (mark_ns < loop->now_ns - PAST_NS) {
         loop->late = true;
+    }
     loop->class->advance(loop->world, mark_ns);
     if (loop->class->take_bytes != NULL) {
         size_t count = loop->class->take_bytes(loop->world, mark_ns, bytes);
@@ -207,14 +223,16 @@ static enum s51_status run_to(struct loop *loop, int64_t t_ns)
         enum s51_status status;
 
         take_inputs(loop, sync_ns - loop->start_ns);
-        if (loop->late)
+        if (loop->late) {
             return S51_FAILED;
+        }
         status = s51_run_to(&loop->sim, sync_ns);
         loop->run->syncs++;
         take_edges(loop);
         show_inputs(loop, INT64_MAX);
-        if (status != S51_RAN)
+        if (status != S51_RAN) {
             return status;
+        }
         loop->now_ns = sync_ns - loop->start_ns;
         pass_mark(loop);
     }
@@ -228,16 +246,19 @@ static enum s51_status boot(struct loop *loop)
         int64_t next_ns = loop->now_ns + (int64_t)loop->setup->quantum_us * 1000;
         enum s51_status status;
 
-        if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns)
+        if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns) {
             next_ns = loop->class->mark_ns(loop->world);
+        }
         status = s51_run_to(&loop->sim, next_ns);
         loop->run->syncs++;
         take_edges(loop);
-        if (status != S51_RAN)
+        if (status != S51_RAN) {
             return status;
+        }
         loop->now_ns = loop->sim.sync_ns - loop->start_ns;
-        if (!loop->run->triggered && loop->class->take_bytes != NULL)
+        if (!loop->run->triggered && loop->class->take_bytes != NULL) {
             pass_mark(loop);
+        }
     }
     return S51_RAN;
 }
@@ -246,8 +267,9 @@ static void send_bytes(struct loop *loop, int64_t t_ns)
 {
     const struct scenario *scenario = loop->setup->scenario;
 
-    if (loop->sent || scenario->uart.at_s < 0 || t_ns < ns_from_s(scenario->uart.at_s))
+    if (loop->sent || scenario->uart.at_s < 0 || t_ns < ns_from_s(scenario->uart.at_s)) {
         return;
+    }
     s51_send(&loop->sim, scenario->uart.send, strlen(scenario->uart.send));
     loop->sent = true;
 }
@@ -264,8 +286,9 @@ static enum s51_status play(struct loop *loop)
         status = run_to(loop, t_ns);
         loop->run->duration_ns = t_ns;
         take_uart(loop);
-        if (status != S51_RAN)
+        if (status != S51_RAN) {
             break;
+        }
         show_row(loop, t_ns);
     }
     return status;
@@ -285,19 +308,24 @@ static double lowest_demand_pct(const struct s51 *sim)
     for (size_t i = 0; i < sim->edge_count; i++) {
         const struct s51_edge *edge = &sim->edges[i];
 
-        if (!edge->after_reset)
+        if (!edge->after_reset) {
             continue;
-        if (edge->time_ns > pwm_steady_ns(&pwm))
+        }
+        if (edge->time_ns > pwm_steady_ns(&pwm)) {
             pwm_settle(&pwm);
-        if (!stop)
+        }
+        if (!stop) {
             lowest = fmin(lowest, pwm.duty_pct);
-        if (edge->pin == PIN_PWM)
+        }
+        if (edge->pin == PIN_PWM) {
             pwm_edge(&pwm, edge->time_ns, edge->level);
-        else if (edge->pin == PIN_STOP)
+        } else if (edge->pin == PIN_STOP) {
             stop = edge->level;
+        }
     }
-    if (sim->last_ns > pwm_steady_ns(&pwm))
+    if (sim->last_ns > pwm_steady_ns(&pwm)) {
         pwm_settle(&pwm);
+    }
     return stop ? lowest : fmin(lowest, pwm.duty_pct);
 }
 
@@ -342,24 +370,29 @@ static int run_once(struct loop *loop, bool *late)
     *late = false;
     telemetry_init(&run->telemetry);
     run->outcome.uart = run->telemetry.log;
-    for (int metric = 0; metric < METRIC_COUNT; metric++)
+    for (int metric = 0; metric < METRIC_COUNT; metric++) {
         run->outcome.values[metric] = NAN;
+    }
     run->outcome.values[METRIC_RESETS] = 0;
     run->outcome.values[METRIC_RESET_BRAKE] = INFINITY;
-    if (start_simulator(loop) != EXIT_FINE)
+    if (start_simulator(loop) != EXIT_FINE) {
         return EXIT_USAGE;
+    }
     loop->world = loop->class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
     memset(loop->levels, true, sizeof loop->levels);
     status = boot(loop);
-    if (status == S51_RAN && run->triggered)
+    if (status == S51_RAN && run->triggered) {
         status = play(loop);
-    else if (status == S51_RAN)
+    } else if (status == S51_RAN) {
         take_uart(loop);
+    }
     loop->class->measure(loop->world, run->duration_ns, &run->outcome);
-    for (int metric = 0; metric < METRIC_COUNT; metric++)
+    for (int metric = 0; metric < METRIC_COUNT; metric++) {
         run->outcome.values[metric] += 0.0; /* no -0 */
-    if (status == S51_RESET)
+    }
+    if (status == S51_RESET) {
         status = watch_reset(loop);
+    }
     run->outcome.uart = run->telemetry.log;
     loop->class->destroy(loop->world);
     s51_stop(&loop->sim);
@@ -385,9 +418,11 @@ int run_scenario(struct run *run, const struct run_setup *setup,
         if (late) {
             restarts++;
             run_free(run);
-            for (int i = 0; i < observer_count; i++)
-                if (observers[i].restart != NULL)
+            for (int i = 0; i < observer_count; i++) {
+                if (observers[i].restart != NULL) {
                     observers[i].restart(observers[i].user);
+                }
+            }
         }
         memset(run, 0, sizeof *run);
         run->restarts = restarts;

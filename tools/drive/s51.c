@@ -49,11 +49,13 @@ static void become_s51(char *const arguments[], pid_t parent, const char *folder
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() == parent && dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(out, 2) >= 0 &&
-        (folder == NULL || chdir(folder) == 0))
+        (folder == NULL || chdir(folder) == 0)) {
         execvp(arguments[0], arguments);
+    }
     reason = errno;
-    if (write(report, &reason, sizeof reason) < 0)
+    if (write(report, &reason, sizeof reason) < 0) {
         _exit(127);
+    }
     _exit(126);
 }
 
@@ -65,17 +67,19 @@ static pid_t spawn(char *const arguments[], const char *folder, int in, int out)
     int report[2], reason = 0;
     ssize_t got;
 
-    if (pipe2(report, O_CLOEXEC) != 0)
+    if (pipe2(report, O_CLOEXEC) != 0) {
         return -1;
+    }
     child = fork();
-    if (child == 0)
+    if (child == 0) {
         become_s51(arguments, parent, folder, in, out, report[1]);
+    }
     close(report[1]);
     if (child > 0) {
         setpgid(child, child);
-        do
+        do {
             got = read(report[0], &reason, sizeof reason);
-        while (got < 0 && errno == EINTR);
+        } while (got < 0 && errno == EINTR);
         if (got == sizeof reason) {
             waitpid(child, NULL, 0);
             child = -1;
@@ -88,10 +92,11 @@ static pid_t spawn(char *const arguments[], const char *folder, int in, int out)
 
 static int no_s51(int reason)
 {
-    if (reason == ENOENT)
+    if (reason == ENOENT) {
         diag_error("s51", 0, "not found in PATH; install sdcc-ucsim (tools/deps.sh does)");
-    else
+    } else {
         diag_error("s51", 0, "cannot be started: %s", strerror(reason));
+    }
     return EXIT_USAGE;
 }
 
@@ -103,13 +108,15 @@ static enum wait_result wait_for_bytes(int fd, int ended_fd)
     struct pollfd requests[] = {{.fd = fd, .events = POLLIN}, {.fd = ended_fd, .events = POLLIN}};
     int ready;
 
-    do
+    do {
         ready = interrupted ? -1 : poll(requests, 2, S51_SILENCE_MS);
-    while (ready < 0 && errno == EINTR && !interrupted);
-    if (ready < 0)
+    } while (ready < 0 && errno == EINTR && !interrupted);
+    if (ready < 0) {
         return WAIT_INTERRUPTED;
-    if (ready == 0)
+    }
+    if (ready == 0) {
         return WAIT_SILENCE;
+    }
     return (requests[0].revents & POLLIN) != 0 ? WAIT_READABLE : WAIT_ENDED;
 }
 
@@ -131,8 +138,9 @@ int s51_version(char *version, size_t size)
     ssize_t got;
     pid_t child;
 
-    if (pipe2(output, O_CLOEXEC) != 0)
+    if (pipe2(output, O_CLOEXEC) != 0) {
         return no_s51(errno);
+    }
     nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     child = spawn(arguments, NULL, nothing, output[1]);
     reason = errno;
@@ -151,8 +159,9 @@ int s51_version(char *version, size_t size)
         }
         got =
             result == WAIT_READABLE ? read(output[0], text + length, sizeof text - 1 - length) : 0;
-        if (got <= 0)
+        if (got <= 0) {
             break;
+        }
         length += (size_t)got;
     }
     close(output[0]);
@@ -185,10 +194,12 @@ static int choose_probes(const struct hexfile *hex, uint16_t probes[PROBES])
     int count = 0;
 
     for (size_t address = 0; address < HEX_CODE_SIZE && count < PROBES; address++) {
-        if (!hex->used[address])
+        if (!hex->used[address]) {
             continue;
-        if (seen * (PROBES - 1) >= (size_t)count * (hex->bytes - 1))
+        }
+        if (seen * (PROBES - 1) >= (size_t)count * (hex->bytes - 1)) {
             probes[count++] = (uint16_t)address;
+        }
         seen++;
     }
     return count;
@@ -202,14 +213,17 @@ static bool write_start_file(const struct s51 *sim, const struct s51_setup *setu
 
     snprintf(path, sizeof path, "%s/start", sim->folder);
     file = fopen(path, "w");
-    if (file == NULL)
+    if (file == NULL) {
         return false;
+    }
     fputs("file \"image.ihx\"\n", file);
-    for (int i = 0; i < probe_count; i++)
+    for (int i = 0; i < probe_count; i++) {
         fprintf(file, "expr rom[%u]\n", probes[i]);
+    }
     fputs("var sync\nset hw vcd[0] output \"out\"\n", file);
-    for (int i = 0; i < setup->watch_count; i++)
+    for (int i = 0; i < setup->watch_count; i++) {
         fprintf(file, "set hw vcd[0] add %s\n", pin_file(setup->watch[i], "port", name));
+    }
     fputs("set hw vcd[0] add sync\nset hw vcd[0] start\n"
           "set hw vcd[0] new 1\nset hw vcd[1] input \"in\"\nset hw vcd[1] start\n",
           file);
@@ -249,14 +263,16 @@ static bool make_folder(struct s51 *sim, const struct s51_setup *setup, const st
            symlink(image, in_folder(sim, "image.ihx")) == 0 &&
            mkfifo(in_folder(sim, "out"), 0600) == 0 && mkfifo(in_folder(sim, "in"), 0600) == 0;
     free(image);
-    if (!made)
+    if (!made) {
         return false;
+    }
     sim->out_fd = open(in_folder(sim, "out"), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     sim->in_fd = open(in_folder(sim, "in"), O_RDWR | O_CLOEXEC);
     sim->uart_fd = open(in_folder(sim, "tx"), O_RDONLY | O_CREAT | O_CLOEXEC, 0600);
     sim->log_fd = memfd_create("s51-log", MFD_CLOEXEC);
-    if (setup->uart_in && mkfifo(in_folder(sim, "rx"), 0600) == 0)
+    if (setup->uart_in && mkfifo(in_folder(sim, "rx"), 0600) == 0) {
         sim->send_fd = open(in_folder(sim, "rx"), O_RDWR | O_CLOEXEC);
+    }
     return sim->out_fd >= 0 && sim->in_fd >= 0 && sim->uart_fd >= 0 && sim->log_fd >= 0 &&
            (!setup->uart_in || sim->send_fd >= 0);
 }
@@ -266,10 +282,12 @@ static void remove_folder(struct s51 *sim)
 {
     static const char *const names[] = {"start", "image.ihx", "out", "in", "tx", "rx"};
 
-    if (sim->folder[0] == '\0')
+    if (sim->folder[0] == '\0') {
         return;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         unlink(in_folder(sim, names[i]));
+    }
     rmdir(sim->folder);
     sim->folder[0] = '\0';
 }
@@ -283,11 +301,13 @@ static bool spawn_s51(struct s51 *sim, const struct s51_setup *setup)
         "-g",  NULL};
     int input[2], reason;
 
-    if (!setup->uart_in)
+    if (!setup->uart_in) {
         strcpy(uart, "uart=0,out=tx");
+    }
     snprintf(clock, sizeof clock, "%ld", setup->clk_hz);
-    if (pipe2(input, O_CLOEXEC) != 0)
+    if (pipe2(input, O_CLOEXEC) != 0) {
         return false;
+    }
     sim->pid = spawn(arguments, sim->folder, input[0], sim->log_fd);
     reason = errno;
     close(input[0]);
@@ -317,9 +337,11 @@ static void last_words(const struct s51 *sim, char words[120])
 
     log_text(sim, text, sizeof text);
     strcpy(words, "nothing");
-    while ((line = strsep(&rest, "\r\n")) != NULL)
-        if (line[0] != '\0')
+    while ((line = strsep(&rest, "\r\n")) != NULL) {
+        if (line[0] != '\0') {
             snprintf(words, 120, "'%.100s'", line);
+        }
+    }
 }
 
 static enum s51_status failed(const struct s51 *sim, const char *format, ...)
@@ -344,15 +366,18 @@ static enum s51_status died(struct s51 *sim)
     pid_t reaped;
 
     /* Its FIFO closes a moment before it can be reaped. */
-    for (int i = 0; (reaped = waitpid(sim->pid, &status, WNOHANG)) == 0 && i < 100; i++)
+    for (int i = 0; (reaped = waitpid(sim->pid, &status, WNOHANG)) == 0 && i < 100; i++) {
         usleep(10000);
-    if (reaped != sim->pid)
+    }
+    if (reaped != sim->pid) {
         return failed(sim, "closed its output at %.6f s; run it again",
                       (double)sim->sync_ns * 1e-9);
+    }
     sim->pid = 0;
-    if (WIFSIGNALED(status))
+    if (WIFSIGNALED(status)) {
         return failed(sim, "died of signal %d (%s) at %.6f s; does it know the chip (s51 -H)?",
                       WTERMSIG(status), strsignal(WTERMSIG(status)), (double)sim->sync_ns * 1e-9);
+    }
     return failed(sim, "ended with status %d at %.6f s; does it know the chip (s51 -H)?",
                   WEXITSTATUS(status), (double)sim->sync_ns * 1e-9);
 }
@@ -372,10 +397,12 @@ int64_t s51_grid_ns(const struct s51 *sim, int64_t time_ns)
     const __int128 cycle = CLOCKS_PER_CYCLE * (__int128)1000000000;
     int64_t n = (int64_t)((__int128)time_ns * sim->clk_hz / cycle);
 
-    while (n > 0 && grid_point_ns(sim, n - 1) >= time_ns)
+    while (n > 0 && grid_point_ns(sim, n - 1) >= time_ns) {
         n--;
-    while (grid_point_ns(sim, n) < time_ns)
+    }
+    while (grid_point_ns(sim, n) < time_ns) {
         n++;
+    }
     return grid_point_ns(sim, n);
 }
 
@@ -384,12 +411,14 @@ static void add_text(struct s51 *sim, int64_t time_ns, char value, char id)
     char line[48];
     int length = 0;
 
-    if (time_ns != sim->text_ns)
+    if (time_ns != sim->text_ns) {
         length = snprintf(line, sizeof line, "#%lld\n", (long long)time_ns);
+    }
     length += snprintf(line + length, sizeof line - (size_t)length, "%c%c\n", value, id);
     sim->text_ns = time_ns;
-    if (sim->text_length + (size_t)length > sizeof sim->text)
+    if (sim->text_length + (size_t)length > sizeof sim->text) {
         abort(); /* no plant has that many events in a quantum */
+    }
     memcpy(sim->text + sim->text_length, line, (size_t)length);
     sim->text_length += (size_t)length;
 }
@@ -398,8 +427,9 @@ void s51_set_pin(struct s51 *sim, int64_t time_ns, int drive, bool level)
 {
     int64_t earliest_ns = sim->text_ns > sim->sync_ns ? sim->text_ns : sim->sync_ns + 1;
 
-    if (time_ns < earliest_ns)
+    if (time_ns < earliest_ns) {
         time_ns = earliest_ns;
+    }
     add_text(sim, s51_grid_ns(sim, time_ns), level ? '1' : '0', (char)('!' + drive));
 }
 
@@ -407,30 +437,34 @@ static void note_change(void *user, int64_t time_ns, int var, uint32_t value)
 {
     struct s51 *sim = user;
 
-    if (time_ns < sim->last_ns)
+    if (time_ns < sim->last_ns) {
         sim->was_reset = true;
+    }
     sim->last_ns = time_ns;
     if (sim->sync_var < 0) {
         char name[24];
 
         sim->sync_var = vcd_var_index(&sim->vcd, "sync");
-        for (int i = 0; i < sim->watch_count; i++)
+        for (int i = 0; i < sim->watch_count; i++) {
             sim->watch_vars[i] =
                 vcd_var_index(&sim->vcd, pin_file((uint8_t)sim->watch_vars[i], "port", name));
+        }
     }
     if (var == sim->sync_var) {
         sim->marker_seen = true;
         sim->marker_ns = time_ns;
     }
     for (int i = 0; i < sim->watch_count; i++) {
-        if (var != sim->watch_vars[i] || (value != 0) == sim->levels[i])
+        if (var != sim->watch_vars[i] || (value != 0) == sim->levels[i]) {
             continue;
+        }
         sim->levels[i] = value != 0;
         if (sim->edge_count == sim->edge_capacity) {
             sim->edge_capacity = sim->edge_capacity * 2 + 64;
             sim->edges = realloc(sim->edges, sim->edge_capacity * sizeof sim->edges[0]);
-            if (sim->edges == NULL)
+            if (sim->edges == NULL) {
                 abort();
+            }
         }
         sim->edges[sim->edge_count++] = (struct s51_edge){time_ns, i, value != 0, sim->was_reset};
     }
@@ -447,8 +481,9 @@ static char process_state(pid_t pid, double *used_s)
     file = fopen(path, "r");
     if (file != NULL) {
         if (fscanf(file, "%*d (%*[^)]) %c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu", &state,
-                   &user, &system) != 3)
+                   &user, &system) != 3) {
             state = '?';
+        }
         fclose(file);
     }
     *used_s = (double)(user + system) / (double)sysconf(_SC_CLK_TCK);
@@ -466,10 +501,12 @@ static enum s51_status judge_silence(struct s51 *sim)
         sim->silent_from_s = used_s;
         sim->waits = 0;
     }
-    if (state == 'S')
+    if (state == 'S') {
         sim->waits++;
-    if (used_s - sim->silent_from_s < 2.5 && sim->waits < 6 && sim->silences < 120)
+    }
+    if (used_s - sim->silent_from_s < 2.5 && sim->waits < 6 && sim->silences < 120) {
         return S51_RAN;
+    }
     return failed(sim,
                   "hangs: no sign for %.0f s, last pin change at %.6f s, process state %c; is "
                   "the chip powered down?",
@@ -495,8 +532,9 @@ static enum s51_status read_changes(struct s51 *sim)
     }
     got = read(sim->out_fd, bytes, sizeof bytes);
     sim->silences = 0;
-    if (got > 0 && !vcd_feed(&sim->vcd, bytes, (size_t)got, note_change, sim))
+    if (got > 0 && !vcd_feed(&sim->vcd, bytes, (size_t)got, note_change, sim)) {
         return failed(sim, "does not write a value change dump; install version %s", S51_VERSION);
+    }
     return S51_RAN;
 }
 
@@ -504,14 +542,18 @@ static enum s51_status wait_for_marker(struct s51 *sim)
 {
     int64_t tolerance_ns = 2 * CLOCKS_PER_CYCLE * 1000000000LL / sim->clk_hz;
 
-    while (!sim->marker_seen && !sim->was_reset)
-        if (read_changes(sim) != S51_RAN)
+    while (!sim->marker_seen && !sim->was_reset) {
+        if (read_changes(sim) != S51_RAN) {
             return S51_FAILED;
-    if (sim->was_reset)
+        }
+    }
+    if (sim->was_reset) {
         return S51_RESET;
-    if (llabs(sim->marker_ns - sim->sync_ns) > tolerance_ns)
+    }
+    if (llabs(sim->marker_ns - sim->sync_ns) > tolerance_ns) {
         return failed(sim, "stands at %.6f s and not at %.6f s; install version %s",
                       (double)sim->marker_ns * 1e-9, (double)sim->sync_ns * 1e-9, S51_VERSION);
+    }
     return S51_RAN;
 }
 
@@ -522,10 +564,12 @@ static bool send_text(struct s51 *sim)
     while (sent < sim->text_length) {
         ssize_t put = write(sim->in_fd, sim->text + sent, sim->text_length - sent);
 
-        if (put < 0 && errno != EINTR)
+        if (put < 0 && errno != EINTR) {
             return false;
-        if (put > 0)
+        }
+        if (put > 0) {
             sent += (size_t)put;
+        }
     }
     sim->text_length = 0;
     return true;
@@ -535,8 +579,9 @@ enum s51_status s51_run_to(struct s51 *sim, int64_t time_ns)
 {
     int64_t next_ns = s51_grid_ns(sim, time_ns);
 
-    if (next_ns < sim->text_ns)
+    if (next_ns < sim->text_ns) {
         next_ns = sim->text_ns;
+    }
     sim->sync_level = !sim->sync_level;
     add_text(sim, next_ns, sim->sync_level ? '1' : '0', '~');
     if (sim->listening && next_ns > sim->listen_until_ns) {
@@ -546,17 +591,20 @@ enum s51_status s51_run_to(struct s51 *sim, int64_t time_ns)
     sim->sync_ns = next_ns;
     sim->marker_seen = false;
     sim->edge_count = 0;
-    if (!send_text(sim))
+    if (!send_text(sim)) {
         return failed(sim, "cannot be written to: %s", strerror(errno));
+    }
     return wait_for_marker(sim);
 }
 
 enum s51_status s51_run_after_reset(struct s51 *sim, int64_t window_ns)
 {
     sim->edge_count = 0;
-    while (!sim->marker_seen && sim->last_ns < window_ns)
-        if (read_changes(sim) != S51_RAN)
+    while (!sim->marker_seen && sim->last_ns < window_ns) {
+        if (read_changes(sim) != S51_RAN) {
             return S51_FAILED;
+        }
+    }
     return S51_RAN;
 }
 
@@ -566,25 +614,29 @@ size_t s51_receive(struct s51 *sim, char *bytes, size_t size)
 {
     ssize_t got = pread(sim->uart_fd, bytes, size, sim->uart_offset);
 
-    if (got <= 0)
+    if (got <= 0) {
         return 0;
+    }
     sim->uart_offset += got;
     return (size_t)got;
 }
 
 void s51_send(struct s51 *sim, const char *bytes, size_t size)
 {
-    if (size == 0)
+    if (size == 0) {
         return;
-    if (!sim->listening)
+    }
+    if (!sim->listening) {
         add_text(sim, s51_grid_ns(sim, sim->sync_ns + 1), '1', '}');
+    }
     sim->listening = true;
     sim->listen_until_ns = sim->sync_ns + (int64_t)(size + 1) * S51_BYTE_NS;
     while (size > 0) {
         ssize_t put = write(sim->send_fd, bytes, size);
 
-        if (put <= 0)
+        if (put <= 0) {
             return; /* the next s51_run_to says what is wrong */
+        }
         bytes += put;
         size -= (size_t)put;
     }
@@ -605,10 +657,12 @@ static bool is_loaded(const struct s51 *sim, const struct hexfile *hex)
 
         snprintf(question, sizeof question, "expr rom[%u]\n", probes[i]);
         answer = strstr(text, question);
-        if (answer == NULL)
+        if (answer == NULL) {
             fprintf(stderr, "LOG %s\nQ %s", text, question);
-        if (answer == NULL || atoi(answer + strlen(question)) != hex->code[probes[i]])
+        }
+        if (answer == NULL || atoi(answer + strlen(question)) != hex->code[probes[i]]) {
             return false;
+        }
     }
     return true;
 }
@@ -619,17 +673,19 @@ static enum s51_status first_sync(struct s51 *sim, const struct s51_setup *setup
 
     sim->text_length = 0;
     sim->text_length += (size_t)sprintf(sim->text, "$timescale 1ns $end\n$scope module m $end\n");
-    for (int i = 0; i < setup->drive_count; i++)
+    for (int i = 0; i < setup->drive_count; i++) {
         sim->text_length +=
             (size_t)sprintf(sim->text + sim->text_length, "$var wire 1 %c %s $end\n", '!' + i,
                             pin_file(setup->drive[i], "pin", name));
+    }
     sim->text_length +=
         (size_t)sprintf(sim->text + sim->text_length,
                         "%s$var wire 1 ~ sync $end\n$upscope $end\n$enddefinitions $end\n",
                         setup->uart_in ? "$var wire 8 } uart0_check_often $end\n" : "");
     /* s51 takes the first stamp's values while it opens the file, and reports none of them. */
-    for (int i = 0; i < setup->drive_count; i++)
+    for (int i = 0; i < setup->drive_count; i++) {
         s51_set_pin(sim, 1, i, (setup->levels >> i & 1) != 0);
+    }
     return s51_run_to(sim, sim->text_ns + 1);
 }
 
@@ -641,8 +697,9 @@ int s51_start(struct s51 *sim, const struct s51_setup *setup)
     memset(sim, 0, sizeof *sim);
     sim->out_fd = sim->in_fd = sim->stdin_fd = sim->pid_fd = -1;
     sim->log_fd = sim->uart_fd = sim->send_fd = -1;
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         return status;
+    }
     sim->clk_hz = setup->clk_hz;
     sim->watch_count = setup->watch_count;
     sim->sync_var = -1;
@@ -666,8 +723,9 @@ int s51_start(struct s51 *sim, const struct s51_setup *setup)
         status = EXIT_USAGE;
     }
     remove_folder(sim);
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         s51_stop(sim);
+    }
     return status;
 }
 
@@ -676,13 +734,15 @@ void s51_stop(struct s51 *sim)
     int *const handles[] = {&sim->out_fd, &sim->in_fd,   &sim->stdin_fd, &sim->pid_fd,
                             &sim->log_fd, &sim->uart_fd, &sim->send_fd};
 
-    if (sim->pid > 0)
+    if (sim->pid > 0) {
         kill_group(sim->pid);
+    }
     sim->pid = 0;
     remove_folder(sim);
     for (size_t i = 0; i < sizeof handles / sizeof handles[0]; i++) {
-        if (*handles[i] >= 0)
+        if (*handles[i] >= 0) {
             close(*handles[i]);
+        }
         *handles[i] = -1;
     }
     free(sim->edges);

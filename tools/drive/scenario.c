@@ -180,8 +180,9 @@ static int choice_index(const char *choices, const char *word)
     for (const char *at = choices; *at != '\0'; index++) {
         size_t length = strcspn(at, " ");
 
-        if (strlen(word) == length && strncmp(at, word, length) == 0)
+        if (strlen(word) == length && strncmp(at, word, length) == 0) {
             return index;
+        }
         at += length;
         at += strspn(at, " ");
     }
@@ -200,21 +201,24 @@ static int set_profile(struct reader *reader, const char *text)
         struct point point;
         int used = 0;
 
-        if (lead->points == SCENARIO_POINTS)
+        if (lead->points == SCENARIO_POINTS) {
             return complain(reader, "the profile has more than %d points; leave some out",
                             SCENARIO_POINTS);
+        }
         if (sscanf(item, "%lf :%lf %n", &point.t_s, &point.speed_mps, &used) != 2 ||
-            item[used] != '\0')
+            item[used] != '\0') {
             return complain(reader,
                             "'%s' is no point of a profile; write seconds:metres_a_second,"
                             " as in 0:2, 1.5:2, 2:0",
                             item);
+        }
         if (point.t_s < 0 || !(point.speed_mps >= 0 && point.speed_mps <= 60) ||
-            (lead->points > 0 && point.t_s <= lead->profile[lead->points - 1].t_s))
+            (lead->points > 0 && point.t_s <= lead->profile[lead->points - 1].t_s)) {
             return complain(reader,
                             "the profile's point '%s': times rise from 0 on, speeds lie in"
                             " 0..60",
                             item);
+        }
         lead->profile[lead->points++] = point;
     }
     return 1;
@@ -249,27 +253,32 @@ static int set_value(struct reader *reader, const struct key *key, char *target,
     switch (key->kind) {
     case VALUE_NUMBER:
     case VALUE_COUNT:
-        if (!parse_number(value, &number))
+        if (!parse_number(value, &number)) {
             return complain(reader, "'%s' is no number; give %s a value in %g..%g", value,
                             key->name, key->low, key->high);
-        if (number < key->low || number > key->high)
+        }
+        if (number < key->low || number > key->high) {
             return complain(reader, "%s = %s is out of range; give it a value in %g..%g", key->name,
                             value, key->low, key->high);
-        if (key->kind == VALUE_COUNT && number > floor(number))
+        }
+        if (key->kind == VALUE_COUNT && number > floor(number)) {
             return complain(reader, "%s = %s counts frames; give it a whole number", key->name,
                             value);
+        }
         memcpy(target, &number, sizeof number);
         return 1;
     case VALUE_CHOICE:
         choice = choice_index(key->choices, value);
-        if (choice < 0)
+        if (choice < 0) {
             return complain(reader, "%s = '%s' is unknown; use one of: %s", key->name, value,
                             key->choices);
+        }
         memcpy(target, &choice, sizeof choice);
         return 1;
     case VALUE_TEXT:
-        if (value[0] == '\0' || strlen(value) >= SCENARIO_TEXT)
+        if (value[0] == '\0' || strlen(value) >= SCENARIO_TEXT) {
             return complain(reader, "%s wants 1 to %d characters", key->name, SCENARIO_TEXT - 1);
+        }
         strcpy(target, value);
         return 1;
     case VALUE_PROFILE:
@@ -285,8 +294,9 @@ static int set_value(struct reader *reader, const struct key *key, char *target,
 static void list_metrics(char *text, size_t size)
 {
     text[0] = '\0';
-    for (enum metric metric = 0; metric < METRIC_COUNT; metric++)
+    for (enum metric metric = 0; metric < METRIC_COUNT; metric++) {
         snprintf(text + strlen(text), size - strlen(text), " %s", expect_name(metric));
+    }
 }
 
 /* inih splits "min_gap_m >= 0.5" at the equals sign, so the name arrives as "min_gap_m >". */
@@ -298,36 +308,44 @@ static int set_expectation(struct reader *reader, const char *name, const char *
     size_t length = strlen(name);
     enum expect_kind kind;
 
-    if (length > 0 && strchr("<>", name[length - 1]) != NULL)
+    if (length > 0 && strchr("<>", name[length - 1]) != NULL) {
         wanted.op = name[--length];
-    while (length > 0 && isspace((unsigned char)name[length - 1]))
+    }
+    while (length > 0 && isspace((unsigned char)name[length - 1])) {
         length--;
+    }
     snprintf(bare, sizeof bare, "%.*s", (int)length, name);
     wanted.metric = expect_find(bare);
     if (wanted.metric == METRIC_COUNT) {
         list_metrics(known, sizeof known);
         return complain(reader, "nothing measures '%s'; use one of:%s", bare, known);
     }
-    if (scenario->expect_count == EXPECT_MAX)
+    if (scenario->expect_count == EXPECT_MAX) {
         return complain(reader, "more than %d outcomes; leave some out", EXPECT_MAX);
-    if (value[0] == '\0' || strlen(value) >= sizeof wanted.text)
+    }
+    if (value[0] == '\0' || strlen(value) >= sizeof wanted.text) {
         return complain(reader, "%s wants 1 to %zu characters", bare, sizeof wanted.text - 1);
+    }
     strcpy(wanted.text, value);
     kind = expect_kind(wanted.metric);
     if (kind == KIND_NUMBER || kind == KIND_COUNT) {
-        if (!parse_number(value, &wanted.limit))
+        if (!parse_number(value, &wanted.limit)) {
             return complain(reader, "'%s' is no number; write %s <= NUMBER or >= NUMBER", value,
                             bare);
-        if (kind == KIND_NUMBER && wanted.op == '=')
+        }
+        if (kind == KIND_NUMBER && wanted.op == '=') {
             return complain(reader, "%s is measured, not counted; write %s <= %s or >= %s", bare,
                             bare, value, value);
+        }
     } else if (wanted.op != '=') {
         return complain(reader, "%s is no number; write %s = %s", bare, bare, value);
     }
-    if (wanted.metric == METRIC_IMPACT && choice_index("none any", value) < 0)
+    if (wanted.metric == METRIC_IMPACT && choice_index("none any", value) < 0) {
         return complain(reader, "impact = '%s' is unknown; use one of: none any", value);
-    if (wanted.metric == METRIC_PARKED && choice_index("yes no", value) < 0)
+    }
+    if (wanted.metric == METRIC_PARKED && choice_index("yes no", value) < 0) {
         return complain(reader, "parked = '%s' is unknown; use one of: yes no", value);
+    }
     scenario->expect[scenario->expect_count++] = wanted;
     return 1;
 }
@@ -352,17 +370,21 @@ static int section_number(const char **section)
 
 static bool is_numbered(const char *section)
 {
-    for (int k = 0; k < NUMBERED_COUNT; k++)
-        if (strcmp(section, numbered[k]) == 0)
+    for (int k = 0; k < NUMBERED_COUNT; k++) {
+        if (strcmp(section, numbered[k]) == 0) {
             return true;
+        }
+    }
     return false;
 }
 
 static bool known_section(const char *section)
 {
-    for (int i = 0; i < KEY_COUNT; i++)
-        if (strcmp(keys[i].section, section) == 0)
+    for (int i = 0; i < KEY_COUNT; i++) {
+        if (strcmp(keys[i].section, section) == 0) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -372,12 +394,15 @@ static void check_section(struct reader *reader, const char *section)
     char known[256] = "";
 
     section_number(&bare);
-    if (known_section(bare) || strcmp(section, "expect") == 0)
+    if (known_section(bare) || strcmp(section, "expect") == 0) {
         return;
-    for (int i = 0; i < KEY_COUNT; i++)
-        if (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0)
+    }
+    for (int i = 0; i < KEY_COUNT; i++) {
+        if (i == 0 || strcmp(keys[i].section, keys[i - 1].section) != 0) {
             snprintf(known + strlen(known), sizeof known - strlen(known), " %s%s", keys[i].section,
                      is_numbered(keys[i].section) ? " (also with 2, 3 or 4)" : "");
+        }
+    }
     complain(reader, "no section [%s]; the sections are:%s expect", section, known);
 }
 
@@ -385,17 +410,21 @@ static int unknown_key(struct reader *reader, const char *section, const char *n
 {
     char known[512] = "";
 
-    if (section[0] == '\0')
+    if (section[0] == '\0') {
         return complain(reader, "'%s' stands before the first section; put [scenario] above it",
                         name);
+    }
     if (!known_section(section)) { /* a line of the file was complained about at its section */
-        if (reader->setting)
+        if (reader->setting) {
             check_section(reader, section);
+        }
         return 0;
     }
-    for (int i = 0; i < KEY_COUNT; i++)
-        if (strcmp(keys[i].section, section) == 0)
+    for (int i = 0; i < KEY_COUNT; i++) {
+        if (strcmp(keys[i].section, section) == 0) {
             snprintf(known + strlen(known), sizeof known - strlen(known), " %s", keys[i].name);
+        }
+    }
     return complain(reader, "no key '%s' in [%s]; its keys are:%s", name, section, known);
 }
 
@@ -406,20 +435,25 @@ static int take_value(void *user, const char *section, const char *name, const c
     int fault, i = 0;
     char *target;
 
-    if (strcmp(section, "expect") == 0)
+    if (strcmp(section, "expect") == 0) {
         return set_expectation(reader, name, value);
+    }
     fault = section_number(&section);
     while (i < KEY_COUNT &&
-           (strcmp(keys[i].section, section) != 0 || strcmp(keys[i].name, name) != 0))
+           (strcmp(keys[i].section, section) != 0 || strcmp(keys[i].name, name) != 0)) {
         i++;
-    if (i == KEY_COUNT)
+    }
+    if (i == KEY_COUNT) {
         return unknown_key(reader, section, name);
-    if (reader->given[fault][i] != 0 && !reader->setting)
+    }
+    if (reader->given[fault][i] != 0 && !reader->setting) {
         return complain(reader, "%s stands here and in line %d; keep one", name,
                         reader->given[fault][i]);
+    }
     reader->given[fault][i] = reader->line > 0 ? reader->line : 1;
-    if (strcmp(section, "lead") == 0)
+    if (strcmp(section, "lead") == 0) {
         scenario->lead.present = true;
+    }
     target = strcmp(section, "fault") == 0   ? (char *)&scenario->faults[fault]
              : strcmp(section, "frame") == 0 ? (char *)&scenario->frames[fault]
                                              : (char *)scenario;
@@ -433,8 +467,9 @@ static const char *section_name(const struct key *key, int number)
 {
     static char name[NAME_SIZE];
 
-    if (number == 0)
+    if (number == 0) {
         return key->section;
+    }
     snprintf(name, sizeof name, "%s%d", key->section, number + 1);
     return name;
 }
@@ -442,11 +477,14 @@ static const char *section_name(const struct key *key, int number)
 static bool is_used(const struct reader *reader, const char *section, int number)
 {
     if (strcmp(section, "scenario") == 0 ||
-        choice_index(worlds[reader->scenario->world].needed, section) >= 0)
+        choice_index(worlds[reader->scenario->world].needed, section) >= 0) {
         return true;
-    for (int i = 0; i < KEY_COUNT; i++)
-        if (strcmp(keys[i].section, section) == 0 && reader->given[number][i] != 0)
+    }
+    for (int i = 0; i < KEY_COUNT; i++) {
+        if (strcmp(keys[i].section, section) == 0 && reader->given[number][i] != 0) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -461,26 +499,30 @@ static bool is_foreign(const struct reader *reader, const struct key *key, int n
 
 static void check_required(struct reader *reader)
 {
-    for (int number = 0; number < SCENARIO_FAULTS; number++)
+    for (int number = 0; number < SCENARIO_FAULTS; number++) {
         for (int i = 0; i < KEY_COUNT; i++) {
             const struct key *key = &keys[i];
 
             if ((number == 0 || is_numbered(key->section)) && key->required &&
                 is_used(reader, key->section, number) && !is_foreign(reader, key, number) &&
-                reader->given[number][i] == 0)
+                reader->given[number][i] == 0) {
                 complain(reader, "[%s] lacks %s; add it", section_name(key, number), key->name);
+            }
         }
+    }
 }
 
 static void check_fault_keys(struct reader *reader)
 {
-    for (int number = 0; number < SCENARIO_FAULTS; number++)
-        for (int i = 0; i < KEY_COUNT; i++)
+    for (int number = 0; number < SCENARIO_FAULTS; number++) {
+        for (int i = 0; i < KEY_COUNT; i++) {
             if (reader->given[number][i] != 0 && reader->scenario->faults[number].kind >= 0 &&
                 is_foreign(reader, &keys[i], number)) {
                 reader->line = reader->given[number][i];
                 complain(reader, "a fault of this kind has no %s; take it out", keys[i].name);
             }
+        }
+    }
     reader->line = 0;
 }
 
@@ -490,27 +532,31 @@ static void check_sections(struct reader *reader)
     const char *sections = worlds[reader->scenario->world].sections;
     const char *last = "";
 
-    for (int i = 0; i < KEY_COUNT; i++)
+    for (int i = 0; i < KEY_COUNT; i++) {
         for (int number = 0; number < SCENARIO_FAULTS; number++) {
             const char *section = keys[i].section;
 
             if (reader->given[number][i] == 0 || strcmp(section, "scenario") == 0 ||
-                strcmp(section, last) == 0 || choice_index(sections, section) >= 0)
+                strcmp(section, last) == 0 || choice_index(sections, section) >= 0) {
                 continue;
+            }
             reader->line = reader->given[number][i];
             complain(reader, "app %s has no [%s]; its sections are: scenario %s expect",
                      reader->scenario->app, section, sections);
             last = section;
         }
+    }
     reader->line = 0;
 }
 
 /* The line in which a key stands; 0: it was not given. */
 static int line_of(const struct reader *reader, const char *section, int number, const char *name)
 {
-    for (int i = 0; i < KEY_COUNT; i++)
-        if (strcmp(keys[i].section, section) == 0 && strcmp(keys[i].name, name) == 0)
+    for (int i = 0; i < KEY_COUNT; i++) {
+        if (strcmp(keys[i].section, section) == 0 && strcmp(keys[i].name, name) == 0) {
             return reader->given[number][i];
+        }
+    }
     return 0;
 }
 
@@ -528,13 +574,15 @@ static void check_schedules(struct reader *reader)
         int first = line_of(reader, "frame", number, "first");
 
         reader->line = every;
-        if (share != 0 && every != 0)
+        if (share != 0 && every != 0) {
             complain(reader,
                      "frames are bad by every or by share, which stands in line %d; keep one",
                      share);
+        }
         reader->line = first;
-        if (first != 0 && every == 0)
+        if (first != 0 && every == 0) {
             complain(reader, "first says where every begins to count; add every, or take it out");
+        }
     }
     reader->line = 0;
 }
@@ -551,24 +599,32 @@ static void check_whole(struct reader *reader)
     check_required(reader);
     check_fault_keys(reader);
     check_schedules(reader);
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
-        if (scenario->faults[i].kind == FAULT_GLITCH && scenario->faults[i].dist_m < 0)
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+        if (scenario->faults[i].kind == FAULT_GLITCH && scenario->faults[i].dist_m < 0) {
             complain(reader, "[%s] lacks dist_m; add it",
                      section_name(&(struct key){.section = "fault"}, i));
-    if (changes != 0 && changes != 3)
+        }
+    }
+    if (changes != 0 && changes != 3) {
         complain(reader,
                  "[lead] change_s, change_mps2 and change_to_mps go together; give all three");
-    if (lead->points > 0 && (changes > 0 || was_given(reader, "lead", "speed_mps")))
+    }
+    if (lead->points > 0 && (changes > 0 || was_given(reader, "lead", "speed_mps"))) {
         complain(reader, "[lead] has a profile and other speeds; keep one of the two");
-    if (lead->appears_s >= 0 && lead->leaves_s >= 0 && lead->leaves_s <= lead->appears_s)
+    }
+    if (lead->appears_s >= 0 && lead->leaves_s >= 0 && lead->leaves_s <= lead->appears_s) {
         complain(reader, "[lead] leaves_s comes before appears_s; exchange them");
-    if (fabs(scenario->road.radius_m) > 0 && fabs(scenario->road.radius_m) < MIN_RADIUS_M)
+    }
+    if (fabs(scenario->road.radius_m) > 0 && fabs(scenario->road.radius_m) < MIN_RADIUS_M) {
         complain(reader, "[road] radius_m is below %d m, for which no frame has a curvature",
                  MIN_RADIUS_M);
-    if (scenario->sensor.min_m >= scenario->sensor.max_m)
+    }
+    if (scenario->sensor.min_m >= scenario->sensor.max_m) {
         complain(reader, "[sensor] min_m is not below max_m");
-    if (scenario->expect_count == 0)
+    }
+    if (scenario->expect_count == 0) {
         complain(reader, "[expect] states no outcome; say at least impact = none or impact = any");
+    }
 }
 
 /* --- reading ------------------------------------------------------------------------------ */
@@ -580,8 +636,9 @@ static char *next_line(char *text, int size, void *stream)
     char section[NAME_SIZE];
     size_t length;
 
-    if (fgets(text, size, reader->stream) == NULL)
+    if (fgets(text, size, reader->stream) == NULL) {
         return NULL;
+    }
     reader->line++;
     length = strlen(text);
     if (length == (size_t)size - 1 && text[length - 1] != '\n') {
@@ -593,8 +650,9 @@ static char *next_line(char *text, int size, void *stream)
         text[0] = '\0';
     }
     memmove(text, text + strspn(text, " \t"), strlen(text + strspn(text, " \t")) + 1);
-    if (sscanf(text, "[%47[^]]]", section) == 1)
+    if (sscanf(text, "[%47[^]]]", section) == 1) {
         check_section(reader, section);
+    }
     return text;
 }
 
@@ -653,8 +711,9 @@ int scenario_read(struct scenario *scenario, const char *file, char *const *sett
 
     set_defaults(scenario, file);
     reader.stream = fopen(file, "r");
-    if (reader.stream == NULL)
+    if (reader.stream == NULL) {
         return diag_error(file, 0, "cannot read the scenario: %s", strerror(errno));
+    }
     errno = 0;
     bad_line = ini_parse_stream(next_line, &reader, take_value, &reader);
     if (ferror(reader.stream)) {
@@ -669,10 +728,12 @@ int scenario_read(struct scenario *scenario, const char *file, char *const *sett
     reader.setting = true;
     reader.line = 0;
     reader.place = "--set";
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         apply_setting(&reader, settings[i]);
+    }
     reader.place = file;
-    if (reader.faults_found == 0)
+    if (reader.faults_found == 0) {
         check_whole(&reader);
+    }
     return reader.faults_found == 0 ? EXIT_FINE : EXIT_INPUT;
 }

@@ -35,8 +35,9 @@ bool servo_edge(struct servo *servo, int64_t t_ns, bool level)
         return false;
     }
     servo->fall_ns = t_ns;
-    if (width_ns < SERVO_MIN_NS || width_ns > SERVO_MAX_NS)
+    if (width_ns < SERVO_MIN_NS || width_ns > SERVO_MAX_NS) {
         return false; /* a servo takes no notice of it */
+    }
     servo->pulse_us = (double)width_ns * 1e-3;
     return servo->pulse_us < before_us || servo->pulse_us > before_us;
 }

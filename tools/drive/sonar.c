@@ -40,8 +40,9 @@ void sonar_observe(struct sonar *sonar, int64_t t_ns, double gap_m)
     if (sonar->past_count == sonar->past_capacity) {
         sonar->past_capacity = sonar->past_capacity * 2 + 256;
         sonar->past = realloc(sonar->past, (size_t)sonar->past_capacity * sizeof sonar->past[0]);
-        if (sonar->past == NULL)
+        if (sonar->past == NULL) {
             abort();
+        }
     }
     sonar->past[sonar->past_count].t_s = (double)t_ns * 1e-9;
     sonar->past[sonar->past_count++].gap_m = gap_m;
@@ -52,13 +53,16 @@ static double past_gap_m(const struct sonar *sonar, double t_s)
     int i = sonar->past_count - 1;
     double span_s, part;
 
-    while (i > 0 && sonar->past[i].t_s > t_s)
+    while (i > 0 && sonar->past[i].t_s > t_s) {
         i--;
-    if (i < 0)
+    }
+    if (i < 0) {
         return INFINITY;
+    }
     if (i + 1 >= sonar->past_count || isinf(sonar->past[i].gap_m) ||
-        isinf(sonar->past[i + 1].gap_m))
+        isinf(sonar->past[i + 1].gap_m)) {
         return sonar->past[i].gap_m;
+    }
     span_s = sonar->past[i + 1].t_s - sonar->past[i].t_s;
     part = fmax(t_s - sonar->past[i].t_s, 0) / span_s;
     return sonar->past[i].gap_m + part * (sonar->past[i + 1].gap_m - sonar->past[i].gap_m);
@@ -80,10 +84,12 @@ static bool is_active(const struct fault *fault, double t_s)
 /* Does the fault keep the sensor silent now? An intermittent one begins with its off time. */
 static bool is_off(const struct fault *fault, double t_s)
 {
-    if (!is_active(fault, t_s))
+    if (!is_active(fault, t_s)) {
         return false;
-    if (fault->kind == FAULT_INTERMITTENT)
+    }
+    if (fault->kind == FAULT_INTERMITTENT) {
         return fmod(t_s - fault->from_s, fault->off_s + fault->on_s) < fault->off_s;
+    }
     return fault->kind == FAULT_OFF || fault->kind == FAULT_HIGH;
 }
 
@@ -93,11 +99,12 @@ static bool is_silenced(const struct sonar *sonar, double t_s, bool *level)
     bool silenced = false;
 
     *level = false;
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
         if (is_off(&sonar->faults[i], t_s)) {
             silenced = true;
             *level |= sonar->faults[i].kind == FAULT_HIGH || sonar->faults[i].line == 1;
         }
+    }
     return silenced;
 }
 
@@ -110,8 +117,9 @@ int64_t sonar_boundary_ns(const struct sonar *sonar, int64_t t_ns)
         double t_s = (double)t_ns * 1e-9, cycle_s = fault->on_s + fault->off_s;
         double marks_s[4] = {fault->from_s, end_s(fault), INFINITY, INFINITY};
 
-        if (fault->kind < 0)
+        if (fault->kind < 0) {
             continue;
+        }
         if (fault->kind == FAULT_INTERMITTENT && t_s + cycle_s >= fault->from_s) {
             double cycles = floor(fmax(t_s - fault->from_s, 0) / cycle_s);
 
@@ -121,8 +129,9 @@ int64_t sonar_boundary_ns(const struct sonar *sonar, int64_t t_ns)
         for (int k = 0; k < 4; k++) {
             int64_t mark = isinf(marks_s[k]) ? INT64_MAX : (int64_t)llround(marks_s[k] * 1e9);
 
-            if (mark > t_ns && mark < first)
+            if (mark > t_ns && mark < first) {
                 first = mark;
+            }
         }
     }
     return first;
@@ -132,8 +141,9 @@ int64_t sonar_boundary_ns(const struct sonar *sonar, int64_t t_ns)
 
 static void push_event(struct sonar *sonar, int64_t t_ns, bool level)
 {
-    if (sonar->event_count == SONAR_EVENTS)
+    if (sonar->event_count == SONAR_EVENTS) {
         abort(); /* a trigger and a boundary push at most four */
+    }
     sonar->events[sonar->event_count].at_ns = t_ns;
     sonar->events[sonar->event_count++].level = level;
 }
@@ -146,8 +156,9 @@ static void cancel_events(struct sonar *sonar)
 static void force_line(struct sonar *sonar, int64_t t_ns, bool level)
 {
     cancel_events(sonar);
-    if (sonar->level != level)
+    if (sonar->level != level) {
         push_event(sonar, t_ns, level);
+    }
 }
 
 void sonar_pass_boundary(struct sonar *sonar, int64_t t_ns)
@@ -166,8 +177,9 @@ void sonar_pass_boundary(struct sonar *sonar, int64_t t_ns)
 
 bool sonar_next_event(struct sonar *sonar, int64_t until_ns, int64_t *t_ns, bool *level)
 {
-    if (sonar->event_count == 0 || sonar->events[0].at_ns > until_ns)
+    if (sonar->event_count == 0 || sonar->events[0].at_ns > until_ns) {
         return false;
+    }
     *t_ns = sonar->events[0].at_ns;
     *level = sonar->level = sonar->events[0].level;
     sonar->event_count--;
@@ -199,10 +211,12 @@ static struct reading measure(struct sonar *sonar, double gap_m)
     double noise_m = random_normal(&sonar->random) * sensor->noise_m;
     struct reading reading = {READ_TARGET, fmax(gap_m + noise_m, 0)};
 
-    if (dropped || !(gap_m >= sensor->min_m && gap_m <= sensor->max_m))
+    if (dropped || !(gap_m >= sensor->min_m && gap_m <= sensor->max_m)) {
         reading.kind = READ_NONE;
-    if (sensor->step_m > 0)
+    }
+    if (sensor->step_m > 0) {
         reading.dist_m = round(reading.dist_m / sensor->step_m) * sensor->step_m;
+    }
     return reading;
 }
 
@@ -213,8 +227,9 @@ static struct reading spoil(struct sonar *sonar, int index, struct reading readi
 
     switch (fault->kind) {
     case FAULT_STUCK:
-        if (sonar->stuck_m[index] < 0)
+        if (sonar->stuck_m[index] < 0) {
             sonar->stuck_m[index] = sonar->last_m >= 0 ? sonar->last_m : reading.dist_m;
+        }
         return (struct reading){READ_TARGET, sonar->stuck_m[index]};
     case FAULT_GARBAGE: /* any echo time up to the no-target pulse */
         return (struct reading){READ_TARGET,
@@ -224,14 +239,16 @@ static struct reading spoil(struct sonar *sonar, int index, struct reading readi
         return reading;
     case FAULT_SLOW:
         if (sonar->answered_ns != INT64_MIN &&
-            (double)(t_ns - sonar->answered_ns) * 1e-9 < fault->period_s)
+            (double)(t_ns - sonar->answered_ns) * 1e-9 < fault->period_s) {
             reading.kind = READ_SILENT;
-        else
+        } else {
             sonar->answered_ns = t_ns;
+        }
         return reading;
     case FAULT_GLITCH:
-        if (sonar->glitches_left[index] == 0)
+        if (sonar->glitches_left[index] == 0) {
             return reading;
+        }
         sonar->glitches_left[index]--;
         return (struct reading){READ_TARGET, fault->dist_m};
     default:
@@ -244,9 +261,11 @@ static double delay_s(const struct sonar *sonar, double t_s)
 {
     double delay = 0;
 
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
-        if (sonar->faults[i].kind == FAULT_DELAYED && is_active(&sonar->faults[i], t_s))
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+        if (sonar->faults[i].kind == FAULT_DELAYED && is_active(&sonar->faults[i], t_s)) {
             delay += sonar->faults[i].delay_s;
+        }
+    }
     return delay;
 }
 
@@ -284,21 +303,27 @@ enum sonar_answer sonar_trigger(struct sonar *sonar, int64_t t_ns, int64_t width
     bool in_range = gap_m >= sonar->sensor.min_m && gap_m <= sonar->sensor.max_m, level;
     struct reading reading;
 
-    if (width_ns < trigger_min_ns || t_ns < sonar->busy_ns)
+    if (width_ns < trigger_min_ns || t_ns < sonar->busy_ns) {
         return SONAR_DEAF;
+    }
     garbage = random_uniform(&sonar->random);
     delay = delay_s(sonar, t_s);
-    if (delay > 0)
+    if (delay > 0) {
         reading = measure(sonar, past_gap_m(sonar, t_s - delay));
-    else
+    } else {
         reading = measure(sonar, gap_m * sonar->sound_mps / (sonar->sound_mps + closing_mps));
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
-        if (is_active(&sonar->faults[i], t_s))
+    }
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+        if (is_active(&sonar->faults[i], t_s)) {
             reading = spoil(sonar, i, reading, t_ns, garbage);
-    if (is_silenced(sonar, t_s, &level))
+        }
+    }
+    if (is_silenced(sonar, t_s, &level)) {
         return in_range ? SONAR_MISSING : SONAR_NONE;
-    if (sonar->level && reading.kind == READ_NONE)
+    }
+    if (sonar->level && reading.kind == READ_NONE) {
         return SONAR_NONE; /* the line is still high from the last time */
+    }
     answer(sonar, t_ns, &reading);
     if (reading.kind == READ_TARGET) {
         sonar->last_m = reading.dist_m;

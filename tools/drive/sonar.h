@@ -38,7 +38,7 @@ struct sonar {
     int glitches_left[SCENARIO_FAULTS];
     struct {
         double t_s, gap_m;
-    } * past; /* for the delayed sensor */
+    } *past; /* for the delayed sensor */
     int past_count, past_capacity;
 };
 

@@ -20,12 +20,15 @@ static double seconds(int64_t t_ns)
 static void csv_begin(const struct trace *trace)
 {
     fputs("t_s", trace->csv.stream);
-    for (int i = 0; i < trace->class->column_count; i++)
+    for (int i = 0; i < trace->class->column_count; i++) {
         fprintf(trace->csv.stream, ",%s", trace->class->columns[i].name);
-    for (int i = 0; i < REPORTED; i++)
+    }
+    for (int i = 0; i < REPORTED; i++) {
         fprintf(trace->csv.stream, ",%s", reported[i]);
-    for (int i = 0; i < trace->class->reported_count; i++)
+    }
+    for (int i = 0; i < trace->class->reported_count; i++) {
         fprintf(trace->csv.stream, ",%s", trace->class->reported[i]);
+    }
     fputc('\n', trace->csv.stream);
 }
 
@@ -35,13 +38,16 @@ static void csv_row(const struct trace *trace, int64_t t_ns, const double *value
     fprintf(trace->csv.stream, "%.2f", seconds(t_ns));
     for (int i = 0; i < trace->class->column_count; i++) {
         fputc(',', trace->csv.stream);
-        if (!isnan(values[i]))
+        if (!isnan(values[i])) {
             fprintf(trace->csv.stream, "%.*f", trace->class->columns[i].decimals, values[i] + 0.0);
+        }
     }
-    for (int i = 0; i < REPORTED; i++)
+    for (int i = 0; i < REPORTED; i++) {
         fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, reported[i]));
-    for (int i = 0; i < trace->class->reported_count; i++)
+    }
+    for (int i = 0; i < trace->class->reported_count; i++) {
         fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, trace->class->reported[i]));
+    }
     fputc('\n', trace->csv.stream);
 }
 
@@ -65,10 +71,12 @@ static void vcd_begin(const struct trace *trace)
     FILE *out = trace->vcd.stream;
 
     fputs("$version fuzzy51 drive $end\n$timescale 1ns $end\n$scope module drive $end\n", out);
-    for (int pin = 0; pin < BOARD_PINS; pin++)
+    for (int pin = 0; pin < BOARD_PINS; pin++) {
         fprintf(out, "$var wire 1 %c pin_%s $end\n", pin_id(pin), board_pin_name(pin));
-    for (int i = 0; i < trace->class->column_count; i++)
+    }
+    for (int i = 0; i < trace->class->column_count; i++) {
         fprintf(out, "$var real 64 %c %s $end\n", column_id(i), trace->class->columns[i].name);
+    }
     fprintf(out, "$var string 1 %c state $end\n", state_id);
     fputs("$upscope $end\n$enddefinitions $end\n", out);
 }
@@ -84,9 +92,11 @@ static void vcd_stamp(struct trace *trace, int64_t t_ns)
 static void vcd_row(struct trace *trace, int64_t t_ns, const double *values, const char *state)
 {
     vcd_stamp(trace, t_ns);
-    for (int i = 0; i < trace->class->column_count; i++)
-        if (!isnan(values[i]))
+    for (int i = 0; i < trace->class->column_count; i++) {
+        if (!isnan(values[i])) {
             fprintf(trace->vcd.stream, "r%.6g %c\n", values[i], column_id(i));
+        }
+    }
     if (strcmp(state, trace->vcd_state) != 0) {
         strcpy(trace->vcd_state, state);
         fprintf(trace->vcd.stream, "s%s %c\n", state, state_id);
@@ -97,8 +107,9 @@ void trace_pin(void *user, int64_t t_ns, enum board_pin pin, bool level)
 {
     struct trace *trace = user;
 
-    if (trace->vcd.stream == NULL)
+    if (trace->vcd.stream == NULL) {
         return;
+    }
     vcd_stamp(trace, t_ns);
     fprintf(trace->vcd.stream, "%d%c\n", level, pin_id(pin));
 }
@@ -122,8 +133,9 @@ static void series_add(struct trace *trace, int index, const char *format, ...)
         trace->series[index].capacity = trace->series[index].capacity * 2 + 4096;
         trace->series[index].text =
             realloc(trace->series[index].text, trace->series[index].capacity);
-        if (trace->series[index].text == NULL)
+        if (trace->series[index].text == NULL) {
             abort();
+        }
     }
     trace->series[index].text[trace->series[index].length] =
         trace->series[index].length == 0 ? '[' : ',';
@@ -135,10 +147,11 @@ static void json_row(struct trace *trace, int64_t t_ns, const double *values, co
 {
     series_add(trace, 0, "%.2f", seconds(t_ns));
     for (int i = 0; i < trace->class->column_count; i++) {
-        if (isnan(values[i]))
+        if (isnan(values[i])) {
             series_add(trace, i + 1, "null");
-        else
+        } else {
             series_add(trace, i + 1, "%.*f", trace->class->columns[i].decimals, values[i] + 0.0);
+        }
     }
     series_add(trace, trace->class->column_count + 1, "\"%.15s\"", state);
 }
@@ -163,10 +176,11 @@ static void json_number(cJSON *object, const char *name, double value)
     char text[40];
 
     snprintf(text, sizeof text, "%.6g", value);
-    if (isfinite(value))
+    if (isfinite(value)) {
         cJSON_AddRawToObject(object, name, text);
-    else
+    } else {
         cJSON_AddNullToObject(object, name);
+    }
 }
 
 static cJSON *json_outcome(const struct outcome *outcome)
@@ -178,10 +192,11 @@ static cJSON *json_outcome(const struct outcome *outcome)
         enum expect_kind kind = expect_kind(metric);
 
         expect_value(metric, outcome, text, sizeof text);
-        if (kind == KIND_NUMBER || kind == KIND_COUNT)
+        if (kind == KIND_NUMBER || kind == KIND_COUNT) {
             json_number(object, expect_name(metric), outcome->values[metric]);
-        else if (metric != METRIC_NEVER && metric != METRIC_UART_SAYS)
+        } else if (metric != METRIC_NEVER && metric != METRIC_UART_SAYS) {
             cJSON_AddStringToObject(object, expect_name(metric), text);
+        }
     }
     return object;
 }
@@ -218,11 +233,13 @@ static void json_write(struct trace *trace, const struct run *run, const struct 
     json_number(root, "boot_s", seconds(run->boot_ns));
     cJSON_AddItemToObject(root, "outcome", json_outcome(&run->outcome));
     cJSON_AddItemToObject(root, "expect", json_expect(setup->scenario, &run->outcome));
-    if (trace->series[0].length > 0)
+    if (trace->series[0].length > 0) {
         cJSON_AddItemToObject(root, "series", json_series(trace));
+    }
     text = cJSON_Print(root);
-    if (text == NULL)
+    if (text == NULL) {
         abort();
+    }
     fputs(text, trace->json.stream);
     fputc('\n', trace->json.stream);
     free(text);
@@ -237,25 +254,30 @@ void trace_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
     struct trace *trace = user;
     const char *state = telemetry_value(telemetry, "state");
 
-    if (trace->csv.stream != NULL)
+    if (trace->csv.stream != NULL) {
         csv_row(trace, t_ns, values, telemetry);
-    if (trace->vcd.stream != NULL)
+    }
+    if (trace->vcd.stream != NULL) {
         vcd_row(trace, t_ns, values, state);
-    if (trace->json.stream != NULL)
+    }
+    if (trace->json.stream != NULL) {
         json_row(trace, t_ns, values, state);
+    }
 }
 
 static void memory_begin(struct trace_file *file)
 {
     file->stream = open_memstream(&file->text, &file->size);
-    if (file->stream == NULL)
+    if (file->stream == NULL) {
         abort();
+    }
 }
 
 static void memory_end(struct trace_file *file)
 {
-    if (file->stream != NULL)
+    if (file->stream != NULL) {
         fclose(file->stream);
+    }
     free(file->text);
     file->stream = NULL;
     file->text = NULL;
@@ -265,12 +287,15 @@ static void begin(struct trace *trace)
 {
     trace->vcd_ns = -1;
     trace->vcd_state[0] = '\0';
-    for (int i = 0; i < WORLD_COLUMNS + 2; i++)
+    for (int i = 0; i < WORLD_COLUMNS + 2; i++) {
         trace->series[i].length = 0;
-    if (trace->csv.stream != NULL)
+    }
+    if (trace->csv.stream != NULL) {
         csv_begin(trace);
-    if (trace->vcd.stream != NULL)
+    }
+    if (trace->vcd.stream != NULL) {
         vcd_begin(trace);
+    }
 }
 
 int trace_open(struct trace *trace, const struct trace_paths *paths,
@@ -282,8 +307,9 @@ int trace_open(struct trace *trace, const struct trace_paths *paths,
     memset(trace, 0, sizeof *trace);
     trace->class = class;
     for (int i = 0; i < 4; i++) {
-        if (wanted[i] == NULL)
+        if (wanted[i] == NULL) {
             continue;
+        }
         if (outfile_open(&files[i]->out, wanted[i]) != EXIT_FINE) {
             trace_abandon(trace);
             return EXIT_INPUT;
@@ -299,11 +325,12 @@ void trace_restart(void *user)
     struct trace *trace = user;
     struct trace_file *const files[] = {&trace->csv, &trace->vcd};
 
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
         if (files[i]->stream != NULL) {
             memory_end(files[i]);
             memory_begin(files[i]);
         }
+    }
     begin(trace);
 }
 
@@ -312,17 +339,21 @@ int trace_commit(struct trace *trace, const struct run *run, const struct run_se
     struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
     int status = EXIT_FINE;
 
-    if (trace->json.stream != NULL)
+    if (trace->json.stream != NULL) {
         json_write(trace, run, setup);
-    if (trace->uart.stream != NULL)
+    }
+    if (trace->uart.stream != NULL) {
         fwrite(run->telemetry.log, 1, run->telemetry.length, trace->uart.stream);
+    }
     for (int i = 0; i < 4; i++) {
-        if (files[i]->stream == NULL)
+        if (files[i]->stream == NULL) {
             continue;
+        }
         fflush(files[i]->stream);
         fwrite(files[i]->text, 1, files[i]->size, files[i]->out.stream);
-        if (outfile_commit(&files[i]->out) != EXIT_FINE)
+        if (outfile_commit(&files[i]->out) != EXIT_FINE) {
             status = EXIT_INPUT;
+        }
     }
     trace_abandon(trace);
     return status;
@@ -336,7 +367,8 @@ void trace_abandon(struct trace *trace)
         memory_end(files[i]);
         outfile_abandon(&files[i]->out);
     }
-    for (int i = 0; i < WORLD_COLUMNS + 2; i++)
+    for (int i = 0; i < WORLD_COLUMNS + 2; i++) {
         free(trace->series[i].text);
+    }
     memset(trace->series, 0, sizeof trace->series);
 }

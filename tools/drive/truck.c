@@ -34,10 +34,11 @@ double truck_drive(struct truck *truck, double steer_rad, double dt_s)
     for (int i = 0; i < 60; i++) {
         double middle = 0.5 * (low + high);
 
-        if (after(truck, turn_radps, middle).y_m > 0)
+        if (after(truck, turn_radps, middle).y_m > 0) {
             low = middle;
-        else
+        } else {
             high = middle;
+        }
     }
     *truck = after(truck, turn_radps, high);
     truck->y_m = 0;

@@ -11,17 +11,21 @@ void vcd_init(struct vcd_reader *reader)
 
 int vcd_var_index(const struct vcd_reader *reader, const char *name)
 {
-    for (int i = 0; i < reader->var_count; i++)
-        if (strcmp(reader->vars[i].name, name) == 0)
+    for (int i = 0; i < reader->var_count; i++) {
+        if (strcmp(reader->vars[i].name, name) == 0) {
             return i;
+        }
+    }
     return -1;
 }
 
 static int index_of_id(const struct vcd_reader *reader, char id)
 {
-    for (int i = 0; i < reader->var_count; i++)
-        if (reader->vars[i].id == id)
+    for (int i = 0; i < reader->var_count; i++) {
+        if (reader->vars[i].id == id) {
             return i;
+        }
+    }
     return -1;
 }
 
@@ -35,11 +39,12 @@ static bool parse_timescale(struct vcd_reader *reader, const char *text)
     char *unit;
     long count = strtol(text, &unit, 10);
 
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         if (count > 0 && strcmp(unit, units[i].name) == 0) {
             reader->unit_ps = count * units[i].ps;
             return true;
         }
+    }
     return false;
 }
 
@@ -47,15 +52,19 @@ static bool parse_timescale(struct vcd_reader *reader, const char *text)
 static bool header_word(struct vcd_reader *reader, const char *word)
 {
     reader->words++;
-    if (strcmp(reader->keyword, "$timescale") == 0)
+    if (strcmp(reader->keyword, "$timescale") == 0) {
         return parse_timescale(reader, word);
-    if (strcmp(reader->keyword, "$var") != 0)
+    }
+    if (strcmp(reader->keyword, "$var") != 0) {
         return true;
-    if (reader->words == 3)
+    }
+    if (reader->words == 3) {
         reader->declared.id = word[0];
+    }
     if (reader->words == 4) {
-        if (strlen(word) >= VCD_NAME_SIZE || reader->var_count == VCD_MAX_VARS)
+        if (strlen(word) >= VCD_NAME_SIZE || reader->var_count == VCD_MAX_VARS) {
             return false;
+        }
         strcpy(reader->declared.name, word);
         reader->vars[reader->var_count++] = reader->declared;
     }
@@ -64,8 +73,9 @@ static bool header_word(struct vcd_reader *reader, const char *word)
 
 static void keyword_ends(struct vcd_reader *reader)
 {
-    if (strcmp(reader->keyword, "$enddefinitions") == 0)
+    if (strcmp(reader->keyword, "$enddefinitions") == 0) {
         reader->in_body = true;
+    }
     reader->keyword[0] = '\0';
 }
 
@@ -74,10 +84,12 @@ static bool report(struct vcd_reader *reader, char id, uint32_t value, vcd_chang
 {
     int var = index_of_id(reader, id);
 
-    if (var < 0)
+    if (var < 0) {
         return false;
-    if (!reader->in_dumpvars)
+    }
+    if (!reader->in_dumpvars) {
         change(user, reader->time_ns, var, value);
+    }
     return true;
 }
 
@@ -113,17 +125,20 @@ static bool take_token(struct vcd_reader *reader, vcd_change_fn *change, void *u
 {
     const char *token = reader->token;
 
-    if (reader->in_body)
+    if (reader->in_body) {
         return body_token(reader, token, change, user);
+    }
     if (reader->keyword[0] == '\0') {
-        if (token[0] != '$' || strlen(token) >= sizeof reader->keyword)
+        if (token[0] != '$' || strlen(token) >= sizeof reader->keyword) {
             return false;
+        }
         strcpy(reader->keyword, token);
         reader->words = 0;
         return true;
     }
-    if (strcmp(token, "$end") != 0)
+    if (strcmp(token, "$end") != 0) {
         return header_word(reader, token);
+    }
     keyword_ends(reader);
     return true;
 }

@@ -26,8 +26,9 @@ static char *at(const struct yard *yard, char picture[YARD_ROWS][YARD_WIDTH_MAX]
     long row = YARD_ROWS - 1 - BELOW_ROWS - lround(y_m / yard->row_m);
     long column = yard->width / 2 + lround(2 * x_m / yard->row_m);
 
-    if (row < 0 || row >= YARD_ROWS || column < 0 || column >= yard->width)
+    if (row < 0 || row >= YARD_ROWS || column < 0 || column >= yard->width) {
         return NULL;
+    }
     return &picture[row][column];
 }
 
@@ -36,8 +37,9 @@ static void put(const struct yard *yard, char picture[YARD_ROWS][YARD_WIDTH_MAX]
 {
     char *place = at(yard, picture, x_m, y_m);
 
-    if (place != NULL)
+    if (place != NULL) {
         *place = mark;
+    }
 }
 
 /* A line in that direction: one of - / | \ */
@@ -59,11 +61,13 @@ void yard_draw(struct yard *yard, double x_m, double y_m, double heading_deg, do
         put(yard, picture, -place_m / 2 - yard->row_m / 4, side_m, '[');
         put(yard, picture, place_m / 2 + yard->row_m / 4, side_m, ']');
     }
-    for (double part_m = 0; part_m <= yard->length_m; part_m += step_m)
+    for (double part_m = 0; part_m <= yard->length_m; part_m += step_m) {
         put(yard, picture, x_m + part_m * along_x, y_m + part_m * along_y, '#');
+    }
     put(yard, picture, x_m, y_m, 'o');
     put(yard, picture, x_m + yard->length_m * along_x, y_m + yard->length_m * along_y,
         stroke(heading_deg + steer_deg));
-    for (int row = 0; row < YARD_ROWS; row++)
+    for (int row = 0; row < YARD_ROWS; row++) {
         fprintf(out, "%.*s\033[K\n", yard->width, picture[row]);
+    }
 }

@@ -66,27 +66,32 @@ static int print_coverage(const struct table *table)
     size_t at[TABLE_INPUTS_MAX];
     int status = EXIT_FINE;
 
-    if (engine == NULL || fires == NULL)
+    if (engine == NULL || fires == NULL) {
         status = diag_error(fis->file, 0, "out of memory");
+    }
     for (size_t cell = 0; status == EXIT_FINE && cell < table->cells; cell++) {
         size_t best = 0;
 
         table_coordinates(table, cell, at);
-        for (size_t i = 0; i < table->inputs; i++)
+        for (size_t i = 0; i < table->inputs; i++) {
             x[i] = table_axis_value(table, i, at[i]);
+        }
         engine_eval(engine, x, y);
         for (size_t r = 0; r < fis->rules; r++) {
             fires[r] += engine_strength(engine, r) > 0;
-            if (engine_strength(engine, r) > engine_strength(engine, best))
+            if (engine_strength(engine, r) > engine_strength(engine, best)) {
                 best = r;
+            }
         }
-        if (fis->rules > 0)
+        if (fis->rules > 0) {
             leads[best]++;
+        }
     }
-    for (size_t r = 0; status == EXIT_FINE && r < fis->rules; r++)
+    for (size_t r = 0; status == EXIT_FINE && r < fis->rules; r++) {
         printf("%s:%d: rule %zu fires in %.1f %% of the table, is the strongest in %.1f %%\n",
                fis->file, fis->rule[r].line, r + 1, 100.0 * (double)fires[r] / (double)table->cells,
                100.0 * (double)leads[r] / (double)table->cells);
+    }
     engine_free(engine);
     free(fires);
     return status;
@@ -96,14 +101,18 @@ static int check_table(const struct arguments *a, const struct fis *fis, struct 
 {
     struct table table;
 
-    if (fis->inputs > TABLE_INPUTS_MAX && a->law.text == NULL && !a->coverage)
+    if (fis->inputs > TABLE_INPUTS_MAX && a->law.text == NULL && !a->coverage) {
         return EXIT_FINE; /* no table of it can be made, so there is none to look at */
-    if (table_make(fis, &a->grid.table, &table) != EXIT_FINE)
+    }
+    if (table_make(fis, &a->grid.table, &table) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (a->law.text != NULL)
+    }
+    if (a->law.text != NULL) {
         check_monotone(&table, &a->law, findings);
-    if (a->coverage)
+    }
+    if (a->coverage) {
         print_coverage(&table);
+    }
     table_free(&table);
     return EXIT_FINE;
 }
@@ -117,13 +126,16 @@ int cmd_check(int argc, char **argv)
 
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     status = options_read_fis(a.file, &a.grid, &a.law, "--monotone", &fis);
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         return status;
+    }
     check_fis(&fis, &findings);
-    if (findings.errors == 0)
+    if (findings.errors == 0) {
         status = check_table(&a, &fis, &findings);
-    if (findings.errors + findings.warnings > 0)
+    }
+    if (findings.errors + findings.warnings > 0) {
         status = EXIT_INPUT;
+    }
     fis_free(&fis);
     return status;
 }

@@ -37,10 +37,11 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         a->rules = true;
         return 0;
     case ARGP_KEY_ARG:
-        if (a->file == NULL)
+        if (a->file == NULL) {
             a->file = argument;
-        else
+        } else {
             a->point[a->numbers++] = argument;
+        }
         return 0;
     case ARGP_KEY_NO_ARGS:
         argp_usage(state);
@@ -81,9 +82,10 @@ static bool read_number(const char *text, double *number)
 
 static void print_term(const struct variable *variable, int term, const char *before)
 {
-    if (term != 0)
+    if (term != 0) {
         printf("%s%s is %s%s", before, variable->name, term < 0 ? "not " : "",
                fis_set(variable, term)->name);
+    }
 }
 
 /* "% 0.625 brake.fis:51: if distance_m is near and closing_mps is small then brake_pct is ..." */
@@ -95,19 +97,22 @@ static void print_rules(const struct session *s)
         const struct rule *rule = &fis->rule[r];
         const char *joint = " if ";
 
-        if (engine_strength(s->engine, r) == 0)
+        if (engine_strength(s->engine, r) == 0) {
             continue;
+        }
         printf("%% %.3g %s:%d:", engine_strength(s->engine, r), fis->file, rule->line);
         for (size_t i = 0; i < fis->inputs; i++) {
             print_term(&fis->input[i], rule->term[i], joint);
-            if (rule->term[i] != 0)
+            if (rule->term[i] != 0) {
                 joint = rule->is_or ? " or " : " and ";
+            }
         }
         joint = " then ";
         for (size_t o = 0; o < fis->outputs; o++) {
             print_term(&fis->output[o], rule->term[fis->inputs + o], joint);
-            if (rule->term[fis->inputs + o] != 0)
+            if (rule->term[fis->inputs + o] != 0) {
                 joint = ", ";
+            }
         }
         putchar('\n');
     }
@@ -118,20 +123,24 @@ static void eval_point(const struct session *s, const double *x, const char *fil
     const struct fis *fis = s->fis;
     double y[FIS_VARIABLES_MAX];
 
-    for (size_t i = 0; i < fis->inputs; i++)
-        if (x[i] < fis->input[i].min || x[i] > fis->input[i].max)
+    for (size_t i = 0; i < fis->inputs; i++) {
+        if (x[i] < fis->input[i].min || x[i] > fis->input[i].max) {
             diag_warning(file, line, "%s = %g is outside its range of %g to %g", fis->input[i].name,
                          x[i], fis->input[i].min, fis->input[i].max);
+        }
+    }
     engine_eval(s->engine, x, y);
     for (size_t o = 0; o < fis->outputs; o++) {
-        if (!engine_fired(s->engine, o))
+        if (!engine_fired(s->engine, o)) {
             diag_warning(file, line,
                          "no rule fires for '%s'; the answer is the middle of its range",
                          fis->output[o].name);
+        }
         printf("%.10g%c", y[o], o + 1 == fis->outputs ? '\n' : ' ');
     }
-    if (s->rules)
+    if (s->rules) {
         print_rules(s);
+    }
 }
 
 static int eval_arguments(const struct session *s, const struct arguments *a)
@@ -139,12 +148,15 @@ static int eval_arguments(const struct session *s, const struct arguments *a)
     size_t inputs = s->fis->inputs;
     double x[FIS_VARIABLES_MAX];
 
-    if (a->numbers != inputs)
+    if (a->numbers != inputs) {
         return diag_error(a->file, 0, "give %zu numbers, not %zu; the system has so many inputs",
                           inputs, a->numbers);
-    for (size_t i = 0; i < a->numbers; i++)
-        if (!read_number(a->point[i], &x[i]))
+    }
+    for (size_t i = 0; i < a->numbers; i++) {
+        if (!read_number(a->point[i], &x[i])) {
             return diag_error(NULL, 0, "'%s' is not a number", a->point[i]);
+        }
+    }
     eval_point(s, x, a->file, 0);
     return EXIT_FINE;
 }
@@ -158,20 +170,25 @@ static int eval_line(const struct session *s, char *text, int line)
 
     for (char *word = strtok_r(text, " \t\r\n,;", &rest); word != NULL;
          word = strtok_r(NULL, " \t\r\n,;", &rest)) {
-        if (numbers == 0 && (*word == '%' || *word == '#'))
+        if (numbers == 0 && (*word == '%' || *word == '#')) {
             return EXIT_FINE;
-        if (numbers == inputs)
+        }
+        if (numbers == inputs) {
             return diag_error("stdin", line, "more than %zu numbers; the system has so many inputs",
                               inputs);
-        if (!read_number(word, &x[numbers]))
+        }
+        if (!read_number(word, &x[numbers])) {
             return diag_error("stdin", line, "'%s' is not a number", word);
+        }
         numbers++;
     }
-    if (numbers == 0)
+    if (numbers == 0) {
         return EXIT_FINE;
-    if (numbers != inputs)
+    }
+    if (numbers != inputs) {
         return diag_error("stdin", line, "give %zu numbers, not %zu; the system has so many inputs",
                           inputs, numbers);
+    }
     eval_point(s, x, "stdin", line);
     return EXIT_FINE;
 }
@@ -182,8 +199,9 @@ static int eval_stdin(const struct session *s)
     size_t room = 0;
     int status = EXIT_FINE;
 
-    for (int line = 1; status == EXIT_FINE && getline(&text, &room, stdin) >= 0; line++)
+    for (int line = 1; status == EXIT_FINE && getline(&text, &room, stdin) >= 0; line++) {
         status = eval_line(s, text, line);
+    }
     free(text);
     return status;
 }
@@ -195,11 +213,13 @@ static char **guard_numbers(int *argc, char **argv)
     bool done = false;
     int count = 0;
 
-    if (guarded == NULL)
+    if (guarded == NULL) {
         return argv;
+    }
     for (int i = 0; i < *argc; i++) {
-        if (strcmp(argv[i], "--") == 0)
+        if (strcmp(argv[i], "--") == 0) {
             done = true;
+        }
         if (!done && argv[i][0] == '-' &&
             (isdigit((unsigned char)argv[i][1]) || argv[i][1] == '.')) {
             guarded[count++] = "--";
@@ -221,26 +241,30 @@ int cmd_eval(int argc, char **argv)
     int status;
 
     a.point = calloc((size_t)argc, sizeof *a.point);
-    if (a.point == NULL)
+    if (a.point == NULL) {
         return diag_error(NULL, 0, "out of memory");
+    }
     argp_parse(&argp, argc, guarded, 0, NULL, &a);
     status = fis_read(a.file, &fis);
     if (status == EXIT_FINE) {
         session.engine = engine_create(&fis, &a.infer);
         session.rules = a.rules;
-        if (session.engine == NULL)
+        if (session.engine == NULL) {
             status = EXIT_INPUT;
-        else if (a.numbers > 0)
+        } else if (a.numbers > 0) {
             status = eval_arguments(&session, &a);
-        else
+        } else {
             status = eval_stdin(&session);
+        }
         engine_free(session.engine);
         fis_free(&fis);
     }
-    if (fflush(stdout) != 0 || ferror(stdout))
+    if (fflush(stdout) != 0 || ferror(stdout)) {
         status = diag_error("stdout", 0, "cannot write: %s", strerror(errno));
+    }
     free(a.point);
-    if (guarded != argv)
+    if (guarded != argv) {
         free(guarded);
+    }
     return status;
 }

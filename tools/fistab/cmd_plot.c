@@ -34,11 +34,13 @@ static void parse_axes(struct arguments *a, const char *text, struct argp_state 
     char *end;
     unsigned long first = strtoul(text, &end, 10), second = 0;
 
-    if (*end == ',')
+    if (*end == ',') {
         second = strtoul(end + 1, &end, 10);
+    }
     if (*end != '\0' || first < 1 || second < 1 || first == second || first > FIS_VARIABLES_MAX ||
-        second > FIS_VARIABLES_MAX)
+        second > FIS_VARIABLES_MAX) {
         argp_error(state, "--axes=%s: give two inputs, as in --axes=1,2", text);
+    }
     a->plot.axis[0] = first - 1;
     a->plot.axis[1] = second - 1;
 }
@@ -63,8 +65,10 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case ARGP_KEY_END: {
         const char *ending = a->output != NULL ? strrchr(a->output, '.') : NULL;
 
-        if (ending == NULL || (strcasecmp(ending, ".svg") != 0 && strcasecmp(ending, ".png") != 0))
+        if (ending == NULL ||
+            (strcasecmp(ending, ".svg") != 0 && strcasecmp(ending, ".png") != 0)) {
             argp_error(state, "give the picture a name: -o FILE.svg or -o FILE.png");
+        }
         a->plot.png = strcasecmp(ending, ".png") == 0;
         return 0;
     }
@@ -89,8 +93,9 @@ static pid_t start_gnuplot(FILE *picture, FILE **script)
     int ends[2];
     pid_t child;
 
-    if (pipe(ends) != 0)
+    if (pipe(ends) != 0) {
         return -1;
+    }
     child = fork();
     if (child == 0) {
         dup2(ends[0], STDIN_FILENO);
@@ -102,8 +107,9 @@ static pid_t start_gnuplot(FILE *picture, FILE **script)
     }
     close(ends[0]);
     *script = child > 0 ? fdopen(ends[1], "w") : NULL;
-    if (*script == NULL)
+    if (*script == NULL) {
         close(ends[1]);
+    }
     return child;
 }
 
@@ -116,30 +122,35 @@ static int draw(const struct arguments *a, const struct fis *fis, FILE *picture)
     /* If gnuplot is gone, writing fails and its exit status says why. */
     signal(SIGPIPE, SIG_IGN);
     child = start_gnuplot(picture, &script);
-    if (child < 0)
+    if (child < 0) {
         return diag_error(a->output, 0, "cannot start gnuplot: %s", strerror(errno));
+    }
     if (script != NULL) {
         result = plot_write(script, fis, &a->plot);
         fclose(script);
     }
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
-    if (result != EXIT_FINE)
+    if (result != EXIT_FINE) {
         return result;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_THERE)
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_THERE) {
         return diag_error(
             a->output, 0,
             "gnuplot is not there; install the package gnuplot-nox (tools/deps.sh demo)");
-    if (script == NULL || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    }
+    if (script == NULL || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         return diag_error(a->output, 0, "gnuplot failed; see its message above");
+    }
     return EXIT_FINE;
 }
 
 static int check_axes(const struct arguments *a, const struct fis *fis)
 {
     for (int i = 0; i < 2 && fis->inputs > 1; i++) {
-        if (a->plot.axis[i] < fis->inputs)
+        if (a->plot.axis[i] < fis->inputs) {
             continue;
+        }
         diag_error(a->file, 0, "--axes names input %zu, but the system has %zu inputs",
                    a->plot.axis[i] + 1, fis->inputs);
         return EXIT_USAGE;
@@ -156,17 +167,19 @@ int cmd_plot(int argc, char **argv)
 
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     status = fis_read(a.file, &fis);
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         return status;
+    }
     status = check_axes(&a, &fis);
     if (status == EXIT_FINE) {
         status = outfile_open(&out, a.output);
         if (status == EXIT_FINE) {
             status = draw(&a, &fis, out.stream);
-            if (status == EXIT_FINE)
+            if (status == EXIT_FINE) {
                 status = outfile_commit(&out);
-            else
+            } else {
                 outfile_abandon(&out);
+            }
         }
     }
     fis_free(&fis);

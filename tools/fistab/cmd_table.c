@@ -44,11 +44,14 @@ static bool is_identifier(const char *name)
 {
     size_t length = strlen(name);
 
-    if (length == 0 || length > 40 || isdigit((unsigned char)name[0]))
+    if (length == 0 || length > 40 || isdigit((unsigned char)name[0])) {
         return false;
-    for (; *name != '\0'; name++)
-        if (!isalnum((unsigned char)*name) && *name != '_')
+    }
+    for (; *name != '\0'; name++) {
+        if (!isalnum((unsigned char)*name) && *name != '_') {
             return false;
+        }
+    }
     return true;
 }
 
@@ -67,14 +70,16 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         a->csv_path = argument;
         return 0;
     case KEY_NAME:
-        if (!is_identifier(argument))
+        if (!is_identifier(argument)) {
             argp_error(state, "--name=%s: give a C identifier of at most 40 characters", argument);
+        }
         a->name = argument;
         return 0;
     case KEY_ENCODING:
         a->packed = strcmp(argument, "packed") == 0;
-        if (!a->packed && strcmp(argument, "plain") != 0)
+        if (!a->packed && strcmp(argument, "plain") != 0) {
             argp_error(state, "--encoding=%s: give plain or packed", argument);
+        }
         return 0;
     case KEY_REPAIR:
         option_law(argument, "--repair", &a->law, state);
@@ -83,10 +88,12 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         a->changes_path = argument;
         return 0;
     case ARGP_KEY_END:
-        if (a->grid.table.half_down && a->law.text != NULL)
+        if (a->grid.table.half_down && a->law.text != NULL) {
             argp_error(state, "--half-down and --repair: choose one, a repair starts from half up");
-        if (a->changes_path != NULL && a->law.text == NULL)
+        }
+        if (a->changes_path != NULL && a->law.text == NULL) {
             argp_error(state, "--changes lists what --repair changed; give --repair=SPEC too");
+        }
         return 0;
     default:
         return option_file(key, argument, &a->file, state);
@@ -108,10 +115,12 @@ static void name_from_file(const char *path, char *name, size_t size)
     size_t length = strcspn(stem, ".");
     size_t used = 0;
 
-    if (isdigit((unsigned char)stem[0]) || length == 0)
+    if (isdigit((unsigned char)stem[0]) || length == 0) {
         name[used++] = 't';
-    for (size_t i = 0; i < length && used + 1 < size; i++)
+    }
+    for (size_t i = 0; i < length && used + 1 < size; i++) {
         name[used++] = isalnum((unsigned char)stem[i]) ? stem[i] : '_';
+    }
     name[used] = '\0';
 }
 
@@ -124,22 +133,25 @@ static int repair(const struct arguments *a, struct table *table, char *summary,
         const char *name = table->fis->output[o].name;
         struct repair_report report;
 
-        if (repair_output(table, o, &a->law, &report) != 0)
+        if (repair_output(table, o, &a->law, &report) != 0) {
             return diag_error(a->file, 0, "out of memory");
-        if (report.broken_after != 0)
+        }
+        if (report.broken_after != 0) {
             return diag_error(a->file, 0,
                               "the repair of '%s' left %zu broken pairs: a fault in fistab", name,
                               report.broken_after);
+        }
         fprintf(stderr,
                 "%s: '%s' broke %s between %zu pairs of neighbours; repaired by changing %zu of "
                 "%zu cells by at most "
                 "%d; the squares to the surface sum to %.3f, %.3f before\n",
                 a->file, name, a->law.text, report.broken_before, report.changed, table->cells,
                 report.largest, report.squares_after, report.squares_before);
-        if (used < size)
+        if (used < size) {
             used += (size_t)snprintf(summary + used, size - used,
                                      "; %zu of %zu cells of output %zu changed by at most %d",
                                      report.changed, table->cells, o + 1, report.largest);
+        }
     }
     return EXIT_FINE;
 }
@@ -161,24 +173,33 @@ static int write_files(const struct arguments *a, const struct table *table, con
     struct outfile out[FILES] = {0};
     int status = EXIT_FINE;
 
-    for (int i = 0; i < FILES && status == EXIT_FINE; i++)
-        if (path[i] != NULL)
+    for (int i = 0; i < FILES && status == EXIT_FINE; i++) {
+        if (path[i] != NULL) {
             status = outfile_open(&out[i], path[i]);
-    if (status == EXIT_FINE && out[HEADER].stream != NULL)
+        }
+    }
+    if (status == EXIT_FINE && out[HEADER].stream != NULL) {
         status = write_header(out[HEADER].stream, a, table, repaired);
-    else if (status == EXIT_FINE && a->csv_path == NULL)
+    } else if (status == EXIT_FINE && a->csv_path == NULL) {
         status = write_header(stdout, a, table, repaired);
-    if (status == EXIT_FINE && out[CSV].stream != NULL)
+    }
+    if (status == EXIT_FINE && out[CSV].stream != NULL) {
         csv_write(out[CSV].stream, table);
-    if (status == EXIT_FINE && out[CHANGES].stream != NULL)
+    }
+    if (status == EXIT_FINE && out[CHANGES].stream != NULL) {
         csv_write_changes(out[CHANGES].stream, table);
-    for (int i = 0; i < FILES && status == EXIT_FINE; i++)
-        if (out[i].stream != NULL)
+    }
+    for (int i = 0; i < FILES && status == EXIT_FINE; i++) {
+        if (out[i].stream != NULL) {
             status = outfile_commit(&out[i]);
-    for (int i = 0; i < FILES; i++)
+        }
+    }
+    for (int i = 0; i < FILES; i++) {
         outfile_abandon(&out[i]);
-    if (status == EXIT_FINE && fflush(stdout) != 0)
+    }
+    if (status == EXIT_FINE && fflush(stdout) != 0) {
         status = diag_error("stdout", 0, "cannot write");
+    }
     return status;
 }
 
@@ -193,18 +214,23 @@ int cmd_table(int argc, char **argv)
 
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     status = options_read_fis(a.file, &a.grid, &a.law, "--repair", &fis);
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         return status;
+    }
     check_fis(&fis, &findings);
-    if (findings.errors > 0)
+    if (findings.errors > 0) {
         status = EXIT_INPUT;
-    if (status == EXIT_FINE)
-        status = table_make(&fis, &a.grid.table, &table);
+    }
     if (status == EXIT_FINE) {
-        if (a.law.text != NULL)
+        status = table_make(&fis, &a.grid.table, &table);
+    }
+    if (status == EXIT_FINE) {
+        if (a.law.text != NULL) {
             status = repair(&a, &table, repaired, sizeof repaired);
-        if (status == EXIT_FINE)
+        }
+        if (status == EXIT_FINE) {
             status = write_files(&a, &table, a.law.text != NULL ? repaired : NULL);
+        }
         table_free(&table);
     }
     fis_free(&fis);

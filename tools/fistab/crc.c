@@ -8,8 +8,9 @@ uint32_t crc32_update(uint32_t crc, const void *data, size_t length)
     crc = ~crc;
     while (length-- > 0) {
         crc ^= *byte++;
-        for (int bit = 0; bit < 8; bit++)
+        for (int bit = 0; bit < 8; bit++) {
             crc = crc >> 1 ^ (0xEDB88320U & -(crc & 1));
+        }
     }
     return ~crc;
 }
@@ -20,8 +21,9 @@ uint16_t crc16_update(uint16_t crc, const void *data, size_t length)
 
     while (length-- > 0) {
         crc = (uint16_t)(crc ^ *byte++ << 8);
-        for (int bit = 0; bit < 8; bit++)
+        for (int bit = 0; bit < 8; bit++) {
             crc = (uint16_t)(crc & 0x8000 ? crc << 1 ^ 0x1021 : crc << 1);
+        }
     }
     return crc;
 }

@@ -7,8 +7,9 @@ static double centroid(const double *x, const double *mu, size_t count, double a
 {
     double moment = 0;
 
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < count; k++) {
         moment += x[k] * mu[k];
+    }
     /* Rounding must not carry it out of the range where mu is near the smallest number there is. */
     return fmin(fmax(moment / area, x[0]), x[count - 1]);
 }
@@ -20,8 +21,9 @@ static double bisector(const double *x, const double *mu, size_t count, double a
 
     for (k = 0; k + 1 < count; k++) {
         sum += mu[k];
-        if (sum >= area / 2)
+        if (sum >= area / 2) {
             break;
+        }
     }
     return x[k];
 }
@@ -34,20 +36,25 @@ static double of_maximum(enum fis_defuzz method, const double *x, const double *
     double smallest_x = INFINITY;
     double largest_x = 0;
 
-    for (size_t k = 0; k < count; k++)
-        largest = fmax(largest, mu[k]);
     for (size_t k = 0; k < count; k++) {
-        if (mu[k] != largest)
+        largest = fmax(largest, mu[k]);
+    }
+    for (size_t k = 0; k < count; k++) {
+        if (mu[k] != largest) {
             continue;
+        }
         sum += x[k];
         points++;
-        if (points == 1 || fabs(x[k]) < fabs(smallest_x))
+        if (points == 1 || fabs(x[k]) < fabs(smallest_x)) {
             smallest_x = x[k];
-        if (points == 1 || fabs(x[k]) > fabs(largest_x))
+        }
+        if (points == 1 || fabs(x[k]) > fabs(largest_x)) {
             largest_x = x[k];
+        }
     }
-    if (method == DEFUZZ_SOM)
+    if (method == DEFUZZ_SOM) {
         return smallest_x;
+    }
     return method == DEFUZZ_LOM ? largest_x : sum / (double)points;
 }
 
@@ -55,15 +62,18 @@ bool defuzz(enum fis_defuzz method, const double *x, const double *mu, size_t co
 {
     double area = 0;
 
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < count; k++) {
         area += mu[k];
-    if (area == 0)
+    }
+    if (area == 0) {
         return false;
-    if (method == DEFUZZ_CENTROID)
+    }
+    if (method == DEFUZZ_CENTROID) {
         *y = centroid(x, mu, count, area);
-    else if (method == DEFUZZ_BISECTOR)
+    } else if (method == DEFUZZ_BISECTOR) {
         *y = bisector(x, mu, count, area);
-    else
+    } else {
         *y = of_maximum(method, x, mu, count);
+    }
     return true;
 }

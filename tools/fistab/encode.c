@@ -12,8 +12,9 @@ static uint8_t *bytes_of(const struct table *table, size_t output)
 {
     uint8_t *byte = malloc(table->cells);
 
-    for (size_t cell = 0; byte != NULL && cell < table->cells; cell++)
+    for (size_t cell = 0; byte != NULL && cell < table->cells; cell++) {
         byte[cell] = (uint8_t)table->cell[output][cell];
+    }
     return byte;
 }
 
@@ -27,8 +28,9 @@ static int write_plain(FILE *out, const struct table *table, struct header_optio
 
     for (size_t o = 0; o < table->outputs; o++) {
         byte[o] = bytes_of(table, o);
-        if (byte[o] == NULL)
+        if (byte[o] == NULL) {
             status = diag_error(NULL, 0, "out of memory");
+        }
         snprintf(suffix[o], sizeof suffix[o], "out%d", (int)o + 1);
         array[o].suffix = suffix[o];
         memcpy(array[o].dims, table->dims, sizeof array[o].dims);
@@ -37,10 +39,12 @@ static int write_plain(FILE *out, const struct table *table, struct header_optio
     }
     header.array = array;
     header.arrays = table->outputs;
-    if (status == EXIT_FINE)
+    if (status == EXIT_FINE) {
         header_write(out, table, &header);
-    for (size_t o = 0; o < table->outputs; o++)
+    }
+    for (size_t o = 0; o < table->outputs; o++) {
         free(byte[o]);
+    }
     return status;
 }
 
@@ -50,13 +54,15 @@ static int write_packed(FILE *out, const struct table *table, struct header_opti
     struct pack pack;
     char why[PACK_WHY_BYTES];
 
-    if (table->inputs != 2 || table->outputs != 1)
+    if (table->inputs != 2 || table->outputs != 1) {
         return diag_error(
             file, 0,
             "a packed table has two inputs and one output, this system %zu and %zu; use plain",
             table->inputs, table->outputs);
-    if (pack_table(&pack, table->cell[0], table->dims[0], table->dims[1], why) != 0)
+    }
+    if (pack_table(&pack, table->cell[0], table->dims[0], table->dims[1], why) != 0) {
         return diag_error(file, 0, "the table does not pack: %s; use --encoding=plain", why);
+    }
 
     const struct header_array array = {
         .suffix = "out1", .dims = {pack.count}, .dimensions = 1, .byte = pack.bytes};

@@ -70,8 +70,9 @@ static double aggregate_at(double x, const void *context)
     const struct work *w = context;
     double sum = 0;
 
-    for (size_t i = 0; i < w->terms; i++)
+    for (size_t i = 0; i < w->terms; i++) {
         sum = joined(w->fis, sum, implied(w->fis, &w->term[i], term_set(&w->term[i], x)));
+    }
     return sum;
 }
 
@@ -94,9 +95,11 @@ static size_t tidy(double *x, size_t count, double min, double max)
     x[count++] = min;
     x[count++] = max;
     qsort(x, count, sizeof *x, by_value);
-    for (size_t i = 0; i < count; i++)
-        if (x[i] >= min && x[i] <= max && (kept == 0 || x[i] > x[kept - 1]))
+    for (size_t i = 0; i < count; i++) {
+        if (x[i] >= min && x[i] <= max && (kept == 0 || x[i] > x[kept - 1])) {
             x[kept++] = x[i];
+        }
+    }
     return kept;
 }
 
@@ -106,10 +109,11 @@ static double crossing(const struct exact_term *term, double left, double right,
 {
     for (int i = 0; i < 100; i++) {
         double middle = left + (right - left) / 2;
-        if ((term_set(term, middle) > term->strength) == (at_left > term->strength))
+        if ((term_set(term, middle) > term->strength) == (at_left > term->strength)) {
             left = middle;
-        else
+        } else {
             right = middle;
+        }
     }
     return left;
 }
@@ -120,10 +124,12 @@ static void cut_term(struct work *w, const struct exact_term *term)
     double kink[SHAPE_KINKS_MAX + 2];
     size_t kinks = tidy(kink, shape_kinks(term->set, kink), w->min, w->max);
 
-    for (size_t i = 0; i < kinks; i++)
+    for (size_t i = 0; i < kinks; i++) {
         w->cut[w->cuts++] = kink[i];
-    if (w->fis->imp_method == IMP_PROD)
+    }
+    if (w->fis->imp_method == IMP_PROD) {
         return;
+    }
     for (size_t i = 0; i + 1 < kinks; i++) {
         double width = kink[i + 1] - kink[i];
         double left =
@@ -132,11 +138,12 @@ static void cut_term(struct work *w, const struct exact_term *term)
         double at_left = term_set(term, left);
         double at_right = term_set(term, right);
 
-        if ((at_left > term->strength) != (at_right > term->strength))
+        if ((at_left > term->strength) != (at_right > term->strength)) {
             w->cut[w->cuts++] =
                 shape_is_linear(term->set)
                     ? left + (right - left) * (term->strength - at_left) / (at_right - at_left)
                     : crossing(term, left, right, at_left);
+        }
     }
 }
 
@@ -170,8 +177,9 @@ static void straight_piece(struct work *w, double left, double right, double at_
     struct piece *piece = new_piece(w, left, right);
     double width = right - left;
 
-    if (piece == NULL)
+    if (piece == NULL) {
         return;
+    }
     piece->straight = true;
     piece->at_left = at_left;
     piece->at_right = at_right;
@@ -202,11 +210,13 @@ static void walk_envelope(struct work *w, double left, double right)
     double at = 0; /* 0 at LEFT .. 1 at RIGHT */
     size_t top = 0;
 
-    for (size_t i = 1; i < w->terms; i++)
+    for (size_t i = 1; i < w->terms; i++) {
         if (w->line[i].at_left > w->line[top].at_left ||
             (w->line[i].at_left == w->line[top].at_left &&
-             w->line[i].at_right > w->line[top].at_right))
+             w->line[i].at_right > w->line[top].at_right)) {
             top = i;
+        }
+    }
     while (at < 1) {
         double rise = w->line[top].at_right - w->line[top].at_left;
         double next = 1;
@@ -238,10 +248,11 @@ static void linear_pieces(struct work *w, double left, double right)
         at_left += w->line[i].at_left;
         at_right += w->line[i].at_right;
     }
-    if (w->fis->agg_method == AGG_SUM || w->terms == 1)
+    if (w->fis->agg_method == AGG_SUM || w->terms == 1) {
         straight_piece(w, left, right, at_left, at_right);
-    else
+    } else {
         walk_envelope(w, left, right);
+    }
 }
 
 static void curved_piece(struct work *w, double left, double right)
@@ -249,8 +260,9 @@ static void curved_piece(struct work *w, double left, double right)
     struct piece *piece = new_piece(w, left, right);
     double inside = 1e-12 * (right - left);
 
-    if (piece == NULL)
+    if (piece == NULL) {
         return;
+    }
     piece->at_left = aggregate_at(left + inside, w);
     piece->at_right = aggregate_at(right - inside, w);
     piece->m = quad(&w->integrand, left, right);
@@ -260,10 +272,11 @@ static void make_pieces(struct work *w)
 {
     w->pieces = 0;
     for (size_t i = 0; i + 1 < w->cuts && !w->failed; i++) {
-        if (w->straight)
+        if (w->straight) {
             linear_pieces(w, w->cut[i], w->cut[i + 1]);
-        else
+        } else {
             curved_piece(w, w->cut[i], w->cut[i + 1]);
+        }
     }
 }
 
@@ -315,8 +328,9 @@ static double bisector(const struct work *w, double area)
 
     for (size_t i = 0; i < w->pieces; i++) {
         double part = w->piece[i].m.area;
-        if (sum + part >= wanted && part > 0)
+        if (sum + part >= wanted && part > 0) {
             return share(w, &w->piece[i], wanted - sum);
+        }
         sum += part;
     }
     return w->max;
@@ -335,18 +349,21 @@ struct summit {
 
 static void add_extreme(struct summit *s, double x)
 {
-    if (!s->any || fabs(x) < fabs(s->smallest))
+    if (!s->any || fabs(x) < fabs(s->smallest)) {
         s->smallest = x;
-    if (!s->any || fabs(x) > fabs(s->largest))
+    }
+    if (!s->any || fabs(x) > fabs(s->largest)) {
         s->largest = x;
+    }
     s->any = true;
 }
 
 static void add_point(struct summit *s, double x, double same)
 {
     add_extreme(s, x);
-    if (s->points > 0 && x - s->last <= same)
+    if (s->points > 0 && x - s->last <= same) {
         return; /* the end of one piece and the start of the next */
+    }
     s->sum += x;
     s->last = x;
     s->points++;
@@ -357,8 +374,9 @@ static void add_stretch(struct summit *s, double left, double right)
     s->length += right - left;
     s->moment += (right - left) * (left + right) / 2;
     add_extreme(s, left);
-    if (left < 0 && right > 0)
+    if (left < 0 && right > 0) {
         add_extreme(s, 0);
+    }
     add_extreme(s, right);
 }
 
@@ -374,13 +392,17 @@ static double inner_top(const struct work *w, const struct piece *piece, double 
 
     y[0] = piece->at_left;
     y[LOOKS] = piece->at_right;
-    for (int i = 1; i < LOOKS; i++)
+    for (int i = 1; i < LOOKS; i++) {
         y[i] = aggregate_at(piece->left + i * step, w);
-    for (int i = 1; i <= LOOKS; i++)
-        if (y[i] > y[best])
+    }
+    for (int i = 1; i <= LOOKS; i++) {
+        if (y[i] > y[best]) {
             best = i;
-    if (best == 0 || best == LOOKS || y[best + 1] == y[best])
+        }
+    }
+    if (best == 0 || best == LOOKS || y[best + 1] == y[best]) {
         return -1;
+    }
     *at = shape_peak(aggregate_at, w, piece->left + (best - 1) * step,
                      piece->left + (best + 1) * step);
     return aggregate_at(*at, w);
@@ -388,11 +410,14 @@ static double inner_top(const struct work *w, const struct piece *piece, double 
 
 static bool is_level(const struct work *w, const struct piece *piece, double floor)
 {
-    if (piece->at_left < floor || piece->at_right < floor)
+    if (piece->at_left < floor || piece->at_right < floor) {
         return false;
-    for (int i = 1; !piece->straight && i < 8; i++)
-        if (aggregate_at(piece->left + (piece->right - piece->left) * i / 8, w) < floor)
+    }
+    for (int i = 1; !piece->straight && i < 8; i++) {
+        if (aggregate_at(piece->left + (piece->right - piece->left) * i / 8, w) < floor) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -406,8 +431,9 @@ static double of_maximum(const struct work *w, enum fis_defuzz method)
 
     for (size_t i = 0; i < w->pieces; i++) {
         s.height = fmax(s.height, fmax(w->piece[i].at_left, w->piece[i].at_right));
-        if (inner)
+        if (inner) {
             s.height = fmax(s.height, inner_top(w, &w->piece[i], &at));
+        }
     }
     floor = s.height * (1 - 1e-11);
     for (size_t i = 0; i < w->pieces; i++) {
@@ -417,17 +443,22 @@ static double of_maximum(const struct work *w, enum fis_defuzz method)
             add_stretch(&s, piece->left, piece->right);
             continue;
         }
-        if (piece->at_left >= floor)
+        if (piece->at_left >= floor) {
             add_point(&s, piece->left, same);
-        if (inner && inner_top(w, piece, &at) >= floor)
+        }
+        if (inner && inner_top(w, piece, &at) >= floor) {
             add_point(&s, at, same);
-        if (piece->at_right >= floor)
+        }
+        if (piece->at_right >= floor) {
             add_point(&s, piece->right, same);
+        }
     }
-    if (method == DEFUZZ_SOM)
+    if (method == DEFUZZ_SOM) {
         return s.smallest;
-    if (method == DEFUZZ_LOM)
+    }
+    if (method == DEFUZZ_LOM) {
         return s.largest;
+    }
     return s.length > 0 ? s.moment / s.length : s.sum / (double)s.points;
 }
 
@@ -451,9 +482,11 @@ static bool prepare(struct work *w)
 /* A difference of numbers near 1 is known to the last bit of 1 only, however small it is. */
 static bool loses_digits(const struct exact_term *term, size_t count)
 {
-    for (size_t i = 0; i < count; i++)
-        if (term[i].negated || term[i].set->kind == MF_DSIGMF)
+    for (size_t i = 0; i < count; i++) {
+        if (term[i].negated || term[i].set->kind == MF_DSIGMF) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -473,8 +506,9 @@ bool exact_defuzz(const struct fis *fis, const struct variable *output,
                                      .noise = loses_digits(term, count) ? 4e-16 : 0,
                                      .budget = &budget};
     if (prepare(&w)) {
-        for (size_t i = 0; i < count; i++)
+        for (size_t i = 0; i < count; i++) {
             cut_term(&w, &term[i]);
+        }
         w.cuts = tidy(w.cut, w.cuts, w.min, w.max);
         /* A curved set: a first look for the size of the area, then the same to a share of it. */
         w.integrand.tolerance = 1e-4 * (w.max - w.min);
@@ -487,12 +521,13 @@ bool exact_defuzz(const struct fis *fis, const struct variable *output,
         }
     }
     if (sum.area > 0) {
-        if (fis->defuzz_method == DEFUZZ_CENTROID)
+        if (fis->defuzz_method == DEFUZZ_CENTROID) {
             *y = w.middle + sum.moment / sum.area;
-        else if (fis->defuzz_method == DEFUZZ_BISECTOR)
+        } else if (fis->defuzz_method == DEFUZZ_BISECTOR) {
             *y = bisector(&w, sum.area);
-        else
+        } else {
             *y = of_maximum(&w, fis->defuzz_method);
+        }
         *y = fmin(fmax(*y, w.min), w.max);
     }
     free(w.cut);

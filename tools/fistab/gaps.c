@@ -29,19 +29,22 @@ static double size_of(const struct search *s, const struct box *box, bool *is_th
     for (size_t i = 0; i < s->fis->inputs; i++) {
         const struct variable *input = &s->fis->input[i];
         double width = s->zones[i].zone[box->to[i]].high - s->zones[i].zone[box->from[i]].low;
-        if (width > 0)
+        if (width > 0) {
             size *= width / (input->max - input->min);
-        else
+        } else {
             *is_thin = true;
+        }
     }
     return size;
 }
 
 static bool is_inside(const struct search *s, const struct box *part, const struct box *whole)
 {
-    for (size_t i = 0; i < s->fis->inputs; i++)
-        if (part->from[i] < whole->from[i] || part->to[i] > whole->to[i])
+    for (size_t i = 0; i < s->fis->inputs; i++) {
+        if (part->from[i] < whole->from[i] || part->to[i] > whole->to[i]) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -50,8 +53,9 @@ static void note_gap(struct search *s)
     bool is_thin;
     double size = size_of(s, &s->box, &is_thin);
 
-    if (s->known != NULL && is_inside(s, &s->box, s->known))
+    if (s->known != NULL && is_inside(s, &s->box, s->known)) {
         return;
+    }
 
     if (s->found.places++ == 0 || is_thin < s->found.is_thin ||
         (is_thin == s->found.is_thin && size > s->size)) {
@@ -74,19 +78,23 @@ static size_t filter(struct search *s, size_t i, const struct zone *zone, const 
         bool is_last = s->last[from[k]] <= (int)i;
         bool holds = rule->term[i] != 0 && zone_holds(zone, rule->term[i]);
 
-        if (rule->is_or ? holds : is_last && (holds || rule->term[i] == 0))
+        if (rule->is_or ? holds : is_last && (holds || rule->term[i] == 0)) {
             return SIZE_MAX;
-        if (rule->is_or ? !is_last : holds || rule->term[i] == 0)
+        }
+        if (rule->is_or ? !is_last : holds || rule->term[i] == 0) {
             to[kept++] = from[k];
+        }
     }
     return kept;
 }
 
 static bool has_condition(const struct search *s, size_t i, const size_t *rule, size_t count)
 {
-    for (size_t k = 0; k < count; k++)
-        if (s->fis->rule[rule[k]].term[i] != 0)
+    for (size_t k = 0; k < count; k++) {
+        if (s->fis->rule[rule[k]].term[i] != 0) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -114,12 +122,13 @@ static void descend(struct search *s, size_t i, size_t count)
         size_t kept = filter(s, i, &s->zones[i].zone[z], s->alive[i], count, s->alive[i + 1]);
 
         s->box.from[i] = s->box.to[i] = z;
-        if (kept == SIZE_MAX)
+        if (kept == SIZE_MAX) {
             s->covered++;
-        else if (kept == 0)
+        } else if (kept == 0) {
             note_gap(s);
-        else
+        } else {
             descend(s, i + 1, kept);
+        }
     }
     s->box.from[i] = from;
     s->box.to[i] = to;
@@ -133,11 +142,12 @@ static void look(struct search *s, const struct box *box, const bool *counts)
     s->box = *box;
     s->covered = 0;
     for (size_t r = 0; r < s->fis->rules; r++) {
-        if (!counts[r])
+        if (!counts[r]) {
             continue;
-        if (s->last[r] >= 0)
+        }
+        if (s->last[r] >= 0) {
             s->alive[0][alive++] = r;
-        else if (!s->fis->rule[r].is_or) { /* no condition, and: always */
+        } else if (!s->fis->rule[r].is_or) { /* no condition, and: always */
             s->covered = 1;
             return;
         }
@@ -157,16 +167,19 @@ static void grow(struct search *s, const struct box *all, const bool *counts)
 
         for (;;) {
             struct box slab = found.box;
-            if (up ? slab.to[input] == all->to[input] : slab.from[input] == 0)
+            if (up ? slab.to[input] == all->to[input] : slab.from[input] == 0) {
                 break;
+            }
             slab.from[input] = slab.to[input] = up ? slab.to[input] + 1 : slab.from[input] - 1;
             look(s, &slab, counts);
-            if (s->covered > 0 || s->found.incomplete)
+            if (s->covered > 0 || s->found.incomplete) {
                 break;
-            if (up)
+            }
+            if (up) {
                 found.box.to[input]++;
-            else
+            } else {
                 found.box.from[input]--;
+            }
         }
     }
     s->known = &found.box;
@@ -181,16 +194,21 @@ static bool allocate(struct search *s)
 {
     s->last = malloc((s->fis->rules + 1) * sizeof *s->last);
     s->alive = calloc(s->fis->inputs + 1, sizeof *s->alive);
-    if (s->last == NULL || s->alive == NULL)
+    if (s->last == NULL || s->alive == NULL) {
         return false;
-    for (size_t i = 0; i <= s->fis->inputs; i++)
-        if ((s->alive[i] = malloc((s->fis->rules + 1) * sizeof **s->alive)) == NULL)
+    }
+    for (size_t i = 0; i <= s->fis->inputs; i++) {
+        if ((s->alive[i] = malloc((s->fis->rules + 1) * sizeof **s->alive)) == NULL) {
             return false;
+        }
+    }
     for (size_t r = 0; r < s->fis->rules; r++) {
         s->last[r] = -1;
-        for (size_t i = 0; i < s->fis->inputs; i++)
-            if (s->fis->rule[r].term[i] != 0)
+        for (size_t i = 0; i < s->fis->inputs; i++) {
+            if (s->fis->rule[r].term[i] != 0) {
                 s->last[r] = (int)i;
+            }
+        }
     }
     return true;
 }
@@ -206,13 +224,15 @@ struct gaps gaps_find(const struct fis *fis, const struct zones *zones, const bo
     }
     if (allocate(&s)) {
         look(&s, &all, counts);
-        if (s.found.places > 0 && !s.found.incomplete)
+        if (s.found.places > 0 && !s.found.incomplete) {
             grow(&s, &all, counts);
+        }
     } else {
         s.found.no_memory = true;
     }
-    for (size_t i = 0; s.alive != NULL && i <= fis->inputs; i++)
+    for (size_t i = 0; s.alive != NULL && i <= fis->inputs; i++) {
         free(s.alive[i]);
+    }
     free(s.alive);
     free(s.last);
     return s.found;

@@ -18,21 +18,25 @@ struct writer {
 bool header_reciprocal(unsigned long span_milli, unsigned long cells, unsigned *mul,
                        unsigned *shift)
 {
-    if (span_milli == 0 || span_milli > 0xFFFF)
+    if (span_milli == 0 || span_milli > 0xFFFF) {
         return false;
+    }
     for (*shift = 0; *shift < 16; ++*shift) {
         unsigned long long scaled = (unsigned long long)cells << (16 + *shift);
         unsigned long long candidate = (scaled + span_milli - 1) / span_milli;
         unsigned long offset = 0;
 
-        if (candidate > 0xFFFF)
+        if (candidate > 0xFFFF) {
             return false;
+        }
         *mul = (unsigned)candidate;
         while (offset <= span_milli &&
-               offset * candidate >> (16 + *shift) == offset * cells / span_milli)
+               offset * candidate >> (16 + *shift) == offset * cells / span_milli) {
             offset++;
-        if (offset > span_milli)
+        }
+        if (offset > span_milli) {
             return true;
+        }
     }
     return false;
 }
@@ -43,8 +47,9 @@ static bool milli(double value, long *thousandths)
     double scaled = value * 1000;
     double whole = nearbyint(scaled);
 
-    if (fabs(whole) > 2147483647.0 || fabs(scaled - whole) > 1e-6)
+    if (fabs(whole) > 2147483647.0 || fabs(scaled - whole) > 1e-6) {
         return false;
+    }
     *thousandths = (long)whole;
     return true;
 }
@@ -52,16 +57,18 @@ static bool milli(double value, long *thousandths)
 /* A name from the file, unable to end the comment that it stands in. */
 static void put_text(FILE *out, const char *text)
 {
-    for (; *text != '\0'; text++)
+    for (; *text != '\0'; text++) {
         putc((unsigned char)*text < ' ' || *text == '*' ? '.' : *text, out);
+    }
 }
 
 static void put_quoted(FILE *out, const char *text)
 {
     putc('"', out);
     for (; *text != '\0'; text++) {
-        if (*text == '"' || *text == '\\')
+        if (*text == '"' || *text == '\\') {
             putc('\\', out);
+        }
         putc((unsigned char)*text < ' ' ? '.' : *text, out);
     }
     putc('"', out);
@@ -80,14 +87,16 @@ static void write_methods(const struct writer *w)
 
     fprintf(w->out, " * %s: and %s, or %s", fis_type_words[fis->type],
             fis_and_words[fis->and_method], fis_or_words[fis->or_method]);
-    if (fis->type == FIS_MAMDANI)
+    if (fis->type == FIS_MAMDANI) {
         fprintf(w->out, ", implication %s, aggregation %s", fis_imp_words[fis->imp_method],
                 fis_agg_words[fis->agg_method]);
+    }
     fprintf(w->out, ", %s", fis_defuzz_words[fis->defuzz_method]);
-    if (fis->type == FIS_MAMDANI && options->infer.exact)
+    if (fis->type == FIS_MAMDANI && options->infer.exact) {
         fprintf(w->out, ", integrated exactly");
-    else if (fis->type == FIS_MAMDANI)
+    } else if (fis->type == FIS_MAMDANI) {
         fprintf(w->out, " of %zu samples", options->infer.samples);
+    }
     fprintf(w->out, ".\n * %s; value = round(%d * (output - min) / (max - min)), half %s",
             options->nodes ? "Sampled at nodes from end to end" : "Sampled at cell centres",
             options->levels, options->half_down ? "down" : "up");
@@ -143,12 +152,14 @@ static void write_input(const struct writer *w, size_t i)
     unsigned mul, shift;
 
     fprintf(w->out, "\n");
-    if (w->table->options.nodes)
+    if (w->table->options.nodes) {
         fprintf(w->out, "#define %s_IN%zu_NODES %zu\n", w->upper, i + 1, dim);
+    }
     fprintf(w->out, "#define %s_IN%zu_CELLS %zu\n", w->upper, i + 1, cells);
     write_range(w, "IN", i + 1, input);
-    if (!milli(input->min, &min) || !milli(input->max - input->min, &span))
+    if (!milli(input->min, &min) || !milli(input->max - input->min, &span)) {
         return;
+    }
     if (header_reciprocal((unsigned long)span, cells, &mul, &shift)) {
         fprintf(w->out, "/* cell = ((x_milli - MIN_MILLI) * MUL) >> (16 + SHIFT), proved for every "
                         "x_milli */\n");
@@ -163,8 +174,9 @@ static void write_input(const struct writer *w, size_t i)
 static size_t array_bytes(const struct header_array *array)
 {
     size_t bytes = 1;
-    for (size_t d = 0; d < array->dimensions; d++)
+    for (size_t d = 0; d < array->dimensions; d++) {
         bytes *= array->dims[d];
+    }
     return bytes;
 }
 
@@ -176,14 +188,16 @@ static const uint8_t *write_braces(FILE *out, const struct header_array *array, 
 
     putc('{', out);
     for (size_t i = 0; i < array->dims[dimension]; i++) {
-        if (!is_row)
+        if (!is_row) {
             fprintf(out, "\n%*s", (int)(4 * (dimension + 1)), "");
-        else if (i > 0 && i % 20 == 0)
+        } else if (i > 0 && i % 20 == 0) {
             fprintf(out, "\n%*s", (int)(4 * dimension + 1), "");
-        if (is_row)
+        }
+        if (is_row) {
             fprintf(out, "%u,", *byte++);
-        else
+        } else {
             byte = write_braces(out, array, dimension + 1, byte);
+        }
     }
     fprintf(out, dimension == 0 ? "\n};\n" : "},");
     return byte;
@@ -192,8 +206,9 @@ static const uint8_t *write_braces(FILE *out, const struct header_array *array, 
 static void write_array(const struct writer *w, const struct header_array *array)
 {
     fprintf(w->out, "static const uint8_t __code %s_%s", w->lower, array->suffix);
-    for (size_t d = 0; d < array->dimensions; d++)
+    for (size_t d = 0; d < array->dimensions; d++) {
         fprintf(w->out, "[%zu]", array->dims[d]);
+    }
     fprintf(w->out, " = ");
     write_braces(w->out, array, 0, array->byte);
 }
@@ -221,20 +236,24 @@ void header_write(FILE *out, const struct table *table, const struct header_opti
     fprintf(out, "#define %s_OUTPUTS %zu\n", w.upper, table->outputs);
     fprintf(out, "#define %s_LEVELS %d\n", w.upper, table->options.levels);
     fprintf(out, "#define %s_IS_NODES %d\n", w.upper, table->options.nodes);
-    for (size_t i = 0; i < table->inputs; i++)
+    for (size_t i = 0; i < table->inputs; i++) {
         write_input(&w, i);
+    }
     fprintf(out, "\n");
-    for (size_t o = 0; o < table->outputs; o++)
+    for (size_t o = 0; o < table->outputs; o++) {
         write_range(&w, "OUT", o + 1, &table->fis->output[o]);
+    }
     fprintf(out, "\n#define %s_PACKED %d\n", w.upper, options->packed);
     fprintf(out, "#define %s_BYTES %zu\n", w.upper, bytes);
     fprintf(out, "#define %s_CRC16 0x%04X\n", w.upper, crc);
-    for (size_t i = 0; i < options->macros; i++)
+    for (size_t i = 0; i < options->macros; i++) {
         fprintf(out, "#define %s_%s %zu\n", w.upper, options->macro[i].suffix,
                 options->macro[i].value);
+    }
     fprintf(out, "\n#ifdef %s_DATA\n", w.upper);
-    for (size_t i = 0; i < options->arrays; i++)
+    for (size_t i = 0; i < options->arrays; i++) {
         write_array(&w, &options->array[i]);
+    }
     fprintf(out, "#endif\n");
 }
 
@@ -242,8 +261,9 @@ static void put_csv_name(FILE *out, const char *name)
 {
     putc('"', out);
     for (; *name != '\0'; name++) {
-        if (*name == '"')
+        if (*name == '"') {
             putc('"', out);
+        }
         putc(*name, out);
     }
     putc('"', out);
@@ -263,10 +283,12 @@ void csv_write(FILE *out, const struct table *table)
     }
     for (size_t cell = 0; cell < table->cells; cell++) {
         table_coordinates(table, cell, at);
-        for (size_t i = 0; i < table->inputs; i++)
+        for (size_t i = 0; i < table->inputs; i++) {
             fprintf(out, "%.10g,", table_axis_value(table, i, at[i]));
-        for (size_t o = 0; o < table->outputs; o++)
+        }
+        for (size_t o = 0; o < table->outputs; o++) {
             fprintf(out, "%d%c", table->cell[o][cell], o + 1 == table->outputs ? '\n' : ',');
+        }
     }
 }
 
@@ -274,8 +296,9 @@ void csv_write_changes(FILE *out, const struct table *table)
 {
     size_t at[TABLE_INPUTS_MAX];
 
-    for (size_t i = 0; i < table->inputs; i++)
+    for (size_t i = 0; i < table->inputs; i++) {
         fprintf(out, "cell%zu,", i + 1);
+    }
     for (size_t i = 0; i < table->inputs; i++) {
         put_csv_name(out, table->fis->input[i].name);
         putc(',', out);
@@ -285,13 +308,16 @@ void csv_write_changes(FILE *out, const struct table *table)
         for (size_t cell = 0; cell < table->cells; cell++) {
             double surface = table->surface[o][cell];
 
-            if (table_rounded(table, surface) == table->cell[o][cell])
+            if (table_rounded(table, surface) == table->cell[o][cell]) {
                 continue;
+            }
             table_coordinates(table, cell, at);
-            for (size_t i = 0; i < table->inputs; i++)
+            for (size_t i = 0; i < table->inputs; i++) {
                 fprintf(out, "%zu,", at[i]);
-            for (size_t i = 0; i < table->inputs; i++)
+            }
+            for (size_t i = 0; i < table->inputs; i++) {
                 fprintf(out, "%.10g,", table_axis_value(table, i, at[i]));
+            }
             put_csv_name(out, table->fis->output[o].name);
             fprintf(out, ",%.10g,%d,%d\n", surface, table_rounded(table, surface),
                     table->cell[o][cell]);

@@ -18,25 +18,30 @@ bool law_parse(const char *text, struct law *law)
         unsigned long input;
         char *end;
 
-        if ((*at != '-' && *at != '+') || !isdigit((unsigned char)at[1]))
+        if ((*at != '-' && *at != '+') || !isdigit((unsigned char)at[1])) {
             return false;
+        }
         input = strtoul(at + 1, &end, 10);
-        if (input < 1 || input > FIS_VARIABLES_MAX || law->direction[input - 1] != 0)
+        if (input < 1 || input > FIS_VARIABLES_MAX || law->direction[input - 1] != 0) {
             return false;
+        }
         law->direction[input - 1] = direction;
         at = end;
-        if (*at == '\0')
+        if (*at == '\0') {
             return true;
-        if (*at != ',')
+        }
+        if (*at != ',') {
             return false;
+        }
     }
 }
 
 int law_check(const struct law *law, const struct fis *fis, const char *option)
 {
     for (size_t i = fis->inputs; i < FIS_VARIABLES_MAX; i++) {
-        if (law->direction[i] == 0)
+        if (law->direction[i] == 0) {
             continue;
+        }
         diag_error(fis->file, 0, "%s=%s names input %zu, but the system has %zu inputs", option,
                    law->text, i + 1, fis->inputs);
         return EXIT_USAGE;

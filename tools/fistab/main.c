@@ -20,8 +20,9 @@ enum { COMMANDS = sizeof command / sizeof command[0] };
 static void print_help(FILE *out)
 {
     fprintf(out, "Usage: fistab COMMAND FILE.fis [OPTION...]\n\n");
-    for (int i = 0; i < COMMANDS; i++)
+    for (int i = 0; i < COMMANDS; i++) {
         fprintf(out, "  %-7s %s\n", command[i].name, command[i].help);
+    }
     fprintf(out, "\n`fistab COMMAND --help` tells the options.\n");
 }
 
@@ -36,8 +37,9 @@ int main(int argc, char **argv)
     for (int i = 0; i < COMMANDS; i++) {
         static char name[32];
 
-        if (strcmp(argv[1], command[i].name) != 0)
+        if (strcmp(argv[1], command[i].name) != 0) {
             continue;
+        }
         snprintf(name, sizeof name, "fistab %s", command[i].name);
         argv[1] = name;
         return command[i].run(argc - 1, argv + 1);

@@ -19,8 +19,9 @@ static const struct {
 enum mf_kind mf_kind_by_name(const char *name)
 {
     enum mf_kind kind = 0;
-    while (kind < MF_UNKNOWN && strcmp(name, type[kind].name) != 0)
+    while (kind < MF_UNKNOWN && strcmp(name, type[kind].name) != 0) {
         kind++;
+    }
     return kind;
 }
 
@@ -42,28 +43,35 @@ bool mf_is_sugeno(enum mf_kind kind)
 static const char *pwl_fault(const double *p, size_t count)
 {
     for (size_t i = 0; i < count; i += 2) {
-        if (!isfinite(p[i]))
+        if (!isfinite(p[i])) {
             return "finite x";
-        if (!(p[i + 1] >= 0 && p[i + 1] <= 1))
+        }
+        if (!(p[i + 1] >= 0 && p[i + 1] <= 1)) {
             return "every y within 0..1";
-        if (i >= 2 && p[i] < p[i - 2])
+        }
+        if (i >= 2 && p[i] < p[i - 2]) {
             return "x that never falls";
-        if (i >= 4 && p[i] == p[i - 4])
+        }
+        if (i >= 4 && p[i] == p[i - 4]) {
             return "at most two points at one x";
+        }
     }
     return NULL;
 }
 
 const char *mf_fault(enum mf_kind kind, const double *p, size_t count)
 {
-    if (kind == MF_PWLMF)
+    if (kind == MF_PWLMF) {
         return pwl_fault(p, count);
+    }
     /* A trapezoid may be open to one side, as [-Inf -Inf 2 3] or [2 3 Inf Inf]; nothing else may.
      */
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         if (!isfinite(p[i]) && !(kind == MF_TRAPMF && ((i < 2 && p[0] == p[1] && p[i] < 0) ||
-                                                       (i >= 2 && p[2] == p[3] && p[i] > 0))))
+                                                       (i >= 2 && p[2] == p[3] && p[i] > 0)))) {
             return "finite numbers";
+        }
+    }
     switch (kind) {
     case MF_TRIMF:
         return p[0] <= p[1] && p[1] <= p[2] ? NULL : "[a b c] with a <= b <= c";
@@ -86,15 +94,17 @@ const char *mf_fault(enum mf_kind kind, const double *p, size_t count)
 /* 0 below A, 1 from B on; vertical at B where A equals B. */
 static double ramp_up(double x, double a, double b)
 {
-    if (x >= b)
+    if (x >= b) {
         return 1;
+    }
     return x > a ? (x - a) / (b - a) : 0;
 }
 
 static double ramp_down(double x, double c, double d)
 {
-    if (x <= c)
+    if (x <= c) {
         return 1;
+    }
     return x < d ? (d - x) / (d - c) : 0;
 }
 
@@ -113,12 +123,15 @@ static double spline_up(double x, double a, double b)
 {
     double t;
 
-    if (a >= b)
+    if (a >= b) {
         return x >= (a + b) / 2;
-    if (x <= a)
+    }
+    if (x <= a) {
         return 0;
-    if (x >= b)
+    }
+    if (x >= b) {
         return 1;
+    }
     t = (x - a) / (b - a);
     return t <= 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t);
 }
@@ -127,12 +140,15 @@ static double spline_down(double x, double a, double b)
 {
     double t;
 
-    if (a >= b)
+    if (a >= b) {
         return x <= (a + b) / 2;
-    if (x <= a)
+    }
+    if (x <= a) {
         return 1;
-    if (x >= b)
+    }
+    if (x >= b) {
         return 0;
+    }
     t = (x - a) / (b - a);
     return t <= 0.5 ? 1 - 2 * t * t : 2 * (1 - t) * (1 - t);
 }
@@ -142,16 +158,21 @@ static double pwl(double x, const double *p, size_t count)
 {
     size_t i;
 
-    if (x < p[0])
+    if (x < p[0]) {
         return p[1];
-    for (i = 2; i < count; i += 2)
-        if (x < p[i])
+    }
+    for (i = 2; i < count; i += 2) {
+        if (x < p[i]) {
             break;
+        }
+    }
     /* point i-2 is the last one at or left of x */
-    if (x == p[i - 2])
+    if (x == p[i - 2]) {
         return i >= 4 && p[i - 4] == x ? fmax(p[i - 3], p[i - 1]) : p[i - 1];
-    if (i >= count)
+    }
+    if (i >= count) {
         return p[count - 1];
+    }
     return p[i - 1] + (p[i + 1] - p[i - 1]) * (x - p[i - 2]) / (p[i] - p[i - 2]);
 }
 

@@ -14,8 +14,9 @@ struct worst {
 static size_t stride_of(const struct table *table, size_t input)
 {
     size_t stride = 1;
-    for (size_t i = input + 1; i < table->inputs; i++)
+    for (size_t i = input + 1; i < table->inputs; i++) {
         stride *= table->dims[i];
+    }
     return stride;
 }
 
@@ -26,8 +27,9 @@ static size_t broken_pairs(const struct table *table, const int *value, size_t i
     size_t broken = 0;
 
     for (size_t cell = 0; cell < table->cells; cell++) {
-        if (cell / stride % table->dims[input] + 1 == table->dims[input])
+        if (cell / stride % table->dims[input] + 1 == table->dims[input]) {
             continue;
+        }
         broken +=
             direction > 0 ? value[cell + stride] < value[cell] : value[cell + stride] > value[cell];
     }
@@ -46,10 +48,12 @@ static void carry_tops(const struct table *table, const int *value, size_t input
         size_t at = cell / stride % table->dims[input];
         size_t previous = direction > 0 ? cell - stride : cell + stride;
 
-        if (direction > 0 ? at == 0 : at + 1 == table->dims[input])
+        if (direction > 0 ? at == 0 : at + 1 == table->dims[input]) {
             continue;
-        if (value[top[previous]] > value[top[cell]])
+        }
+        if (value[top[previous]] > value[top[cell]]) {
             top[cell] = top[previous];
+        }
     }
 }
 
@@ -59,19 +63,24 @@ static int find_worst(const struct table *table, const int *value, const struct 
     size_t *top = malloc(table->cells * sizeof *top);
 
     worst->drop = 0;
-    if (top == NULL)
+    if (top == NULL) {
         return diag_error(table->fis->file, 0, "out of memory");
-    for (size_t cell = 0; cell < table->cells; cell++)
+    }
+    for (size_t cell = 0; cell < table->cells; cell++) {
         top[cell] = cell;
-    for (size_t i = 0; i < table->inputs; i++)
-        if (law->direction[i] != 0)
+    }
+    for (size_t i = 0; i < table->inputs; i++) {
+        if (law->direction[i] != 0) {
             carry_tops(table, value, i, law->direction[i], top);
-    for (size_t cell = 0; cell < table->cells; cell++)
+        }
+    }
+    for (size_t cell = 0; cell < table->cells; cell++) {
         if (value[top[cell]] - value[cell] > worst->drop) {
             worst->drop = value[top[cell]] - value[cell];
             worst->before = top[cell];
             worst->after = cell;
         }
+    }
     free(top);
     return EXIT_FINE;
 }
@@ -104,11 +113,14 @@ void check_monotone(const struct table *table, const struct law *law, struct fin
             findings->errors++;
             return;
         }
-        if (worst.drop == 0)
+        if (worst.drop == 0) {
             continue;
-        for (size_t i = 0; i < table->inputs; i++)
-            if (law->direction[i] != 0)
+        }
+        for (size_t i = 0; i < table->inputs; i++) {
+            if (law->direction[i] != 0) {
                 broken += broken_pairs(table, value, i, law->direction[i]);
+            }
+        }
         describe_cell(table, worst.before, before, sizeof before);
         describe_cell(table, worst.after, after, sizeof after);
         findings->errors++;

@@ -15,16 +15,18 @@ long option_integer(const char *text, long min, long max, const char *option,
 
     errno = 0;
     number = strtol(text, &end, 10);
-    if (end == text || *end != '\0' || errno != 0 || number < min || number > max)
+    if (end == text || *end != '\0' || errno != 0 || number < min || number > max) {
         argp_error(state, "%s=%s: give a whole number from %ld to %ld", option, text, min, max);
+    }
     return number;
 }
 
 void option_law(const char *text, const char *option, struct law *law, struct argp_state *state)
 {
-    if (!law_parse(text, law))
+    if (!law_parse(text, law)) {
         argp_error(state, "%s=%s: give a sign and an input each, as in %s=-1,+2", option, text,
                    option);
+    }
 }
 
 static error_t parse_infer(int key, char *argument, struct argp_state *state)
@@ -63,11 +65,13 @@ static void parse_grid_text(struct grid_options *options, const char *text,
     for (options->inputs = 0;; at = end + 1) {
         long dim = strtol(at, &end, 10);
         if (end == at || dim < 1 || dim > TABLE_CELLS_MAX || (*end != 'x' && *end != '\0') ||
-            options->inputs == TABLE_INPUTS_MAX)
+            options->inputs == TABLE_INPUTS_MAX) {
             argp_error(state, "--grid=%s: give one number an input, as in --grid=100x100", text);
+        }
         options->table.dims[options->inputs++] = (size_t)dim;
-        if (*end == '\0')
+        if (*end == '\0') {
             return;
+        }
     }
 }
 
@@ -115,8 +119,9 @@ error_t option_file(int key, char *argument, const char **file, struct argp_stat
 {
     switch (key) {
     case ARGP_KEY_ARG:
-        if (*file != NULL)
+        if (*file != NULL) {
             argp_error(state, "one FILE.fis at a time; '%s' is one too many", argument);
+        }
         *file = argument;
         return 0;
     case ARGP_KEY_NO_ARGS:
@@ -129,8 +134,9 @@ error_t option_file(int key, char *argument, const char **file, struct argp_stat
 
 static int grid_check(const struct grid_options *options, const struct fis *fis)
 {
-    if (options->inputs == 0 || options->inputs == fis->inputs)
+    if (options->inputs == 0 || options->inputs == fis->inputs) {
         return EXIT_FINE;
+    }
     diag_error(fis->file, 0, "--grid has %zu numbers, but the system has %zu inputs",
                options->inputs, fis->inputs);
     return EXIT_USAGE;
@@ -141,12 +147,15 @@ int options_read_fis(const char *file, const struct grid_options *grid, const st
 {
     int status = fis_read(file, fis);
 
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         return status;
+    }
     status = grid_check(grid, fis);
-    if (status == EXIT_FINE)
+    if (status == EXIT_FINE) {
         status = law_check(law, fis, option);
-    if (status != EXIT_FINE)
+    }
+    if (status != EXIT_FINE) {
         fis_free(fis);
+    }
     return status;
 }

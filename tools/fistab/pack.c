@@ -64,14 +64,17 @@ static bool begins_run(const struct plan *plan, size_t strip, size_t row)
 /* The shape's number; BYTE_VALUES if there are too many. */
 static size_t find_shape(struct plan *plan, const struct shape *shape)
 {
-    for (size_t i = 0; i < plan->shape_count; i++)
+    for (size_t i = 0; i < plan->shape_count; i++) {
         if (plan->shapes[i].length == shape->length &&
-            memcmp(plan->shapes[i].difference, shape->difference, shape->length) == 0)
+            memcmp(plan->shapes[i].difference, shape->difference, shape->length) == 0) {
             return i;
-    if (plan->shape_count < BYTE_VALUES)
+        }
+    }
+    if (plan->shape_count < BYTE_VALUES) {
         plan->shapes[plan->shape_count++] = *shape;
-    else
+    } else {
         return BYTE_VALUES;
+    }
     return plan->shape_count - 1;
 }
 
@@ -88,14 +91,17 @@ static bool find_runs(struct plan *plan)
             struct shape shape = {.length = strip_width(plan, strip) - 1};
             struct run *run = &plan->runs[plan->run_count];
 
-            if (!begins_run(plan, strip, row))
+            if (!begins_run(plan, strip, row)) {
                 continue;
-            for (size_t i = 0; i < shape.length; i++)
+            }
+            for (size_t i = 0; i < shape.length; i++) {
                 shape.difference[i] = (uint8_t)(cell[i + 1] - cell[i]);
+            }
             *run = (struct run){.strip = strip, .first = (uint8_t)cell[0]};
             run->shape = find_shape(plan, &shape);
-            if (run->shape == BYTE_VALUES)
+            if (run->shape == BYTE_VALUES) {
                 return false;
+            }
             plan->run_count++;
         }
         plan->strip_runs[strip] = plan->run_count - before;
@@ -106,11 +112,14 @@ static bool find_runs(struct plan *plan)
 /* Of two different shapes, the shorter one, of the last strip, may lie inside the longer one. */
 static bool contains(const struct shape *outer, const struct shape *inner)
 {
-    if (outer->length == inner->length)
+    if (outer->length == inner->length) {
         return false;
-    for (size_t at = 0; at + inner->length <= outer->length; at++)
-        if (memcmp(outer->difference + at, inner->difference, inner->length) == 0)
+    }
+    for (size_t at = 0; at + inner->length <= outer->length; at++) {
+        if (memcmp(outer->difference + at, inner->difference, inner->length) == 0) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -122,17 +131,20 @@ static size_t overlap(const struct shape *a, const struct shape *b)
     for (size_t count = most > 0 ? most - 1 : 0; count > 0; count--) {
         const uint8_t *end = a->difference + a->length - count;
 
-        if (*end == *b->difference && memcmp(end, b->difference, count) == 0)
+        if (*end == *b->difference && memcmp(end, b->difference, count) == 0) {
             return count;
+        }
     }
     return 0;
 }
 
 static bool same_chain(const size_t *next, size_t from, size_t wanted)
 {
-    for (; from != BYTE_VALUES; from = next[from])
-        if (from == wanted)
+    for (; from != BYTE_VALUES; from = next[from]) {
+        if (from == wanted) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -142,8 +154,9 @@ static bool append(struct plan *plan, const struct shape *shape, size_t known)
     size_t count = shape->length - known;
 
     /* One more cell than differences must fit. */
-    if (plan->string_length + count + 1 > BYTE_VALUES)
+    if (plan->string_length + count + 1 > BYTE_VALUES) {
         return false;
+    }
     memcpy(plan->string + plan->string_length, shape->difference + known, count);
     plan->string_length += count;
     return true;
@@ -163,28 +176,32 @@ static bool join_shapes(struct plan *plan)
         next[i] = BYTE_VALUES;
         known[i] = 0;
         covered[i] = follows[i] = false;
-        for (size_t j = 0; j < plan->shape_count; j++)
+        for (size_t j = 0; j < plan->shape_count; j++) {
             covered[i] |= contains(&plan->shapes[j], &plan->shapes[i]);
+        }
         least_cells += !covered[i];
     }
     /* At best each shape begins one cell behind the one before. */
-    if (least_cells > BYTE_VALUES)
+    if (least_cells > BYTE_VALUES) {
         return false;
+    }
     for (size_t i = 0; i < plan->shape_count; i++) {
         for (size_t j = 0; j < plan->shape_count; j++) {
             bool apart = i == j || covered[i] || covered[j];
             size_t count = apart ? 0 : overlap(&plan->shapes[i], &plan->shapes[j]);
 
             overlaps[i][j] = (uint8_t)count;
-            if (count > most)
+            if (count > most) {
                 most = count;
+            }
         }
     }
     for (size_t count = most; count > 0; count--) {
         for (size_t i = 0; i < plan->shape_count; i++) {
             for (size_t j = 0; j < plan->shape_count && next[i] == BYTE_VALUES; j++) {
-                if (overlaps[i][j] != count || follows[j] || same_chain(next, j, i))
+                if (overlaps[i][j] != count || follows[j] || same_chain(next, j, i)) {
                     continue;
+                }
                 next[i] = j;
                 known[j] = count;
                 follows[j] = true;
@@ -193,18 +210,22 @@ static bool join_shapes(struct plan *plan)
     }
     plan->string_length = 0;
     for (size_t i = 0; i < plan->shape_count; i++) {
-        if (covered[i] || follows[i])
+        if (covered[i] || follows[i]) {
             continue;
-        for (size_t link = i; link != BYTE_VALUES; link = next[link])
-            if (!append(plan, &plan->shapes[link], known[link]))
+        }
+        for (size_t link = i; link != BYTE_VALUES; link = next[link]) {
+            if (!append(plan, &plan->shapes[link], known[link])) {
                 return false;
+            }
+        }
     }
     for (size_t i = 0; i < plan->shape_count; i++) {
         const struct shape *shape = &plan->shapes[i];
 
         plan->place[i] = 0;
-        while (memcmp(plan->string + plan->place[i], shape->difference, shape->length) != 0)
+        while (memcmp(plan->string + plan->place[i], shape->difference, shape->length) != 0) {
             plan->place[i]++;
+        }
     }
     return true;
 }
@@ -221,19 +242,24 @@ static void fill_pages(struct plan *plan)
          * ascending order, so that tracing back names each once. */
         size_t last[BYTE_VALUES + 1], sum, slot = page * BYTE_VALUES;
 
-        for (sum = 0; sum <= BYTE_VALUES; sum++)
+        for (sum = 0; sum <= BYTE_VALUES; sum++) {
             last[sum] = BYTE_VALUES;
+        }
         for (size_t strip = 0; strip < plan->strips; strip++) {
             size_t runs = plan->strip_runs[strip];
 
-            if (placed[strip])
+            if (placed[strip]) {
                 continue;
-            for (sum = BYTE_VALUES; sum >= runs; sum--)
-                if (last[sum] == BYTE_VALUES && (sum == runs || last[sum - runs] != BYTE_VALUES))
+            }
+            for (sum = BYTE_VALUES; sum >= runs; sum--) {
+                if (last[sum] == BYTE_VALUES && (sum == runs || last[sum - runs] != BYTE_VALUES)) {
                     last[sum] = strip;
+                }
+            }
         }
-        for (sum = BYTE_VALUES; last[sum] == BYTE_VALUES;)
+        for (sum = BYTE_VALUES; last[sum] == BYTE_VALUES;) {
             sum--;
+        }
         for (; sum > 0; left--) {
             size_t strip = last[sum];
 
@@ -257,8 +283,9 @@ static bool make_plan(struct plan *plan, size_t strip_cells)
 {
     plan->strip_cells = strip_cells;
     plan->strips = (plan->cols + strip_cells - 1) / strip_cells;
-    if (!find_runs(plan) || !join_shapes(plan))
+    if (!find_runs(plan) || !join_shapes(plan)) {
         return false;
+    }
     fill_pages(plan);
     return true;
 }
@@ -268,8 +295,9 @@ static void write_bytes(struct pack *pack, const struct plan *plan)
     uint8_t *shapes = pack->bytes + pack->shapes_at;
     const struct run *run = plan->runs;
 
-    for (size_t i = 0; i < plan->string_length; i++)
+    for (size_t i = 0; i < plan->string_length; i++) {
         shapes[i + 1] = (uint8_t)(shapes[i] + plan->string[i]);
+    }
     for (size_t strip = 0; strip < plan->strips; strip++) {
         size_t slot = plan->strip_start[strip];
 
@@ -284,12 +312,14 @@ static void write_bytes(struct pack *pack, const struct plan *plan)
             size_t down = row - plan->first_row;
             size_t block = strip * plan->blocks + down / BLOCK_ROWS;
 
-            if (down > 0)
+            if (down > 0) {
                 slot += begins_run(plan, strip, row);
-            if (down % BLOCK_ROWS == 0)
+            }
+            if (down % BLOCK_ROWS == 0) {
                 pack->bytes[pack->runs_at + block] = (uint8_t)slot;
-            else if (begins_run(plan, strip, row))
+            } else if (begins_run(plan, strip, row)) {
                 pack->bytes[block] |= (uint8_t)(1U << down % BLOCK_ROWS);
+            }
         }
     }
 }
@@ -309,8 +339,9 @@ static int plan_to_pack(struct pack *pack, const struct plan *plan)
     pack->bases_at = pack->starts_at + plan->slots;
     pack->shapes_at = pack->bases_at + plan->slots;
     pack->bytes = calloc(pack->count, 1);
-    if (pack->bytes == NULL)
+    if (pack->bytes == NULL) {
         return -1;
+    }
     write_bytes(pack, plan);
     return 0;
 }
@@ -335,8 +366,9 @@ int pack_table(struct pack *pack, const int *cells, size_t rows, size_t cols,
                  "%zu by %zu cells are more than the 256 by 256 that a byte can index", rows, cols);
         return -1;
     }
-    while (plan.first_row + 1 < rows && same_cells(&plan, plan.first_row + 1, 0, 0, cols))
+    while (plan.first_row + 1 < rows && same_cells(&plan, plan.first_row + 1, 0, 0, cols)) {
         plan.first_row++;
+    }
     plan.first_row -= plan.first_row % BLOCK_ROWS;
     plan.blocks = (rows - plan.first_row + BLOCK_ROWS - 1) / BLOCK_ROWS;
     plan.runs = calloc(rows * cols, sizeof *plan.runs);
@@ -350,8 +382,9 @@ int pack_table(struct pack *pack, const int *cells, size_t rows, size_t cols,
     }
     /* One column wide it always fits: such a shape is a lone zero. */
     for (size_t width = 1; width <= cols; width++) {
-        if (!make_plan(&plan, width))
+        if (!make_plan(&plan, width)) {
             continue;
+        }
         if (best_width == 0 || plan_bytes(&plan) < best_bytes) {
             best_width = width;
             best_bytes = plan_bytes(&plan);
@@ -369,8 +402,9 @@ int pack_table(struct pack *pack, const int *cells, size_t rows, size_t cols,
         goto done;
     }
     for (size_t i = 0; i < rows * cols; i++) {
-        if (pack_at(pack, i / cols, i % cols) == cells[i])
+        if (pack_at(pack, i / cols, i % cols) == cells[i]) {
             continue;
+        }
         snprintf(why, PACK_WHY_BYTES, "cell %zu came back wrong: a fault in fistab", i);
         pack_free(pack);
         status = -1;
@@ -390,8 +424,9 @@ uint8_t pack_at(const struct pack *pack, size_t row, size_t col)
                  pack->bytes[pack->runs_at + block];
     uint8_t place;
 
-    for (size_t i = 0; i <= down % BLOCK_ROWS; i++)
+    for (size_t i = 0; i <= down % BLOCK_ROWS; i++) {
         run += pack->bytes[block] >> i & 1;
+    }
     place = (uint8_t)(pack->bytes[pack->starts_at + run] + col);
     return (uint8_t)(pack->bytes[pack->bases_at + run] + pack->bytes[pack->shapes_at + place]);
 }

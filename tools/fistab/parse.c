@@ -41,17 +41,21 @@ static int grow(struct parser *p, void **array, size_t *count, size_t index, siz
     size_t room = *count == 0 ? 0 : 8;
     char *bigger;
 
-    if (index < *count)
+    if (index < *count) {
         return EXIT_FINE;
-    while (room < *count)
+    }
+    while (room < *count) {
         room *= 2;
+    }
     if (index >= room) {
         room = room == 0 ? 8 : room;
-        while (room <= index)
+        while (room <= index) {
             room *= 2;
+        }
         bigger = realloc(*array, room * item);
-        if (bigger == NULL)
+        if (bigger == NULL) {
             return FAIL(p, "out of memory");
+        }
         *array = bigger;
     }
     memset((char *)*array + *count * item, 0, (index + 1 - *count) * item);
@@ -80,11 +84,14 @@ static int take_method(struct parser *p, const char *key, const char *const *wor
     char *word;
     char buffer[80];
 
-    if (scan_quoted(&p->scan, &word) != EXIT_FINE)
+    if (scan_quoted(&p->scan, &word) != EXIT_FINE) {
         return EXIT_INPUT;
-    for (*method = 0; words[*method] != NULL; (*method)++)
-        if (strcmp(word, words[*method]) == 0)
+    }
+    for (*method = 0; words[*method] != NULL; (*method)++) {
+        if (strcmp(word, words[*method]) == 0) {
             break;
+        }
+    }
     if (words[*method] == NULL) {
         FAIL(p, "%s '%s' is not one of MATLAB's that fistab knows: use %s", key, word,
              choices(words, buffer, sizeof buffer));
@@ -99,12 +106,15 @@ static int take_count(struct parser *p, const char *key, size_t limit, size_t *c
 {
     double number;
 
-    if (scan_number(&p->scan, &number) != EXIT_FINE)
+    if (scan_number(&p->scan, &number) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (!(number >= 0 && number == floor(number)))
+    }
+    if (!(number >= 0 && number == floor(number))) {
         return FAIL(p, "%s=%g is no count", key, number);
-    if (number > (double)limit)
+    }
+    if (number > (double)limit) {
         return FAIL(p, "%s=%g is more than fistab's limit of %zu", key, number, limit);
+    }
     *count = (size_t)number;
     return EXIT_FINE;
 }
@@ -120,8 +130,9 @@ static int take_name(struct parser *p, char **name)
 static int find_key(struct parser *p, const char *const *keys)
 {
     for (int i = 0; keys[i] != NULL; i++) {
-        if (strcmp(p->scan.word, keys[i]) != 0)
+        if (strcmp(p->scan.word, keys[i]) != 0) {
             continue;
+        }
         if (p->seen & 1U << i) {
             FAIL(p, "%s stands twice in this section; remove one", keys[i]);
             return -2;
@@ -136,8 +147,9 @@ static int no_system_key(struct parser *p, const char *const *keys)
 {
     char known[256] = "";
 
-    for (; *keys != NULL; keys++)
+    for (; *keys != NULL; keys++) {
         snprintf(known + strlen(known), sizeof known - strlen(known), " %s", *keys);
+    }
     return FAIL(p, "[System] has no key '%s' in MATLAB's format; its keys are:%s", p->scan.word,
                 known);
 }
@@ -152,10 +164,12 @@ static int parse_system(struct parser *p)
     int method = 0;
     int status;
 
-    if (key == -2)
+    if (key == -2) {
         return EXIT_INPUT;
-    if (!scan_char(&p->scan, '='))
+    }
+    if (!scan_char(&p->scan, '=')) {
         return FAIL(p, "expected '=' after '%s'", p->scan.word);
+    }
     switch (key) {
     case 0:
         return take_name(p, &fis->name);
@@ -201,21 +215,27 @@ static int parse_range(struct parser *p)
 {
     struct variable *variable = p->variable;
 
-    if (!scan_char(&p->scan, '['))
+    if (!scan_char(&p->scan, '[')) {
         return FAIL(p, "a range is written Range=[0 10]");
-    if (scan_number(&p->scan, &variable->min) != EXIT_FINE)
+    }
+    if (scan_number(&p->scan, &variable->min) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     scan_char(&p->scan, ',');
-    if (scan_number(&p->scan, &variable->max) != EXIT_FINE)
+    if (scan_number(&p->scan, &variable->max) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (!scan_char(&p->scan, ']'))
+    }
+    if (!scan_char(&p->scan, ']')) {
         return FAIL(p, "a range is written Range=[0 10]");
-    if (!isfinite(variable->min) || !isfinite(variable->max))
+    }
+    if (!isfinite(variable->min) || !isfinite(variable->max)) {
         return FAIL(p, "Range=[%g %g] has no end; write two finite numbers", variable->min,
                     variable->max);
-    if (!(variable->min < variable->max))
+    }
+    if (!(variable->min < variable->max)) {
         return FAIL(p, "Range=[%g %g] is empty; write the smaller end first", variable->min,
                     variable->max);
+    }
     return EXIT_FINE;
 }
 
@@ -223,24 +243,29 @@ static int parse_parameters(struct parser *p, struct set *set)
 {
     size_t room = 0;
 
-    if (!scan_char(&p->scan, '['))
+    if (!scan_char(&p->scan, '[')) {
         return FAIL(p, "a set is written MF1='name':'trimf',[0 1 2]");
+    }
     while (!scan_char(&p->scan, ']')) {
         double *bigger;
 
-        if (set->parameters > 0)
+        if (set->parameters > 0) {
             scan_char(&p->scan, ',');
-        if (set->parameters == FIS_PARAMETERS_MAX)
+        }
+        if (set->parameters == FIS_PARAMETERS_MAX) {
             return FAIL(p, "more than %d numbers in one set, fistab's limit", FIS_PARAMETERS_MAX);
+        }
         if (set->parameters == room) {
             room = room == 0 ? 4 : 2 * room;
             bigger = realloc(set->parameter, room * sizeof *bigger);
-            if (bigger == NULL)
+            if (bigger == NULL) {
                 return FAIL(p, "out of memory");
+            }
             set->parameter = bigger;
         }
-        if (scan_number(&p->scan, &set->parameter[set->parameters]) != EXIT_FINE)
+        if (scan_number(&p->scan, &set->parameter[set->parameters]) != EXIT_FINE) {
             return EXIT_INPUT;
+        }
         set->parameters++;
     }
     return EXIT_FINE;
@@ -249,12 +274,15 @@ static int parse_parameters(struct parser *p, struct set *set)
 /* What to write for a membership function that there is not; fuzzylite's have equals. */
 static const char *replacement(const char *kind)
 {
-    if (strcmp(kind, "rampmf") == 0)
+    if (strcmp(kind, "rampmf") == 0) {
         return "linsmf for a ramp up, linzmf for one down";
-    if (strcmp(kind, "discretemf") == 0)
+    }
+    if (strcmp(kind, "discretemf") == 0) {
         return "pwlmf, with the same numbers";
-    if (strcmp(kind, "rectmf") == 0)
+    }
+    if (strcmp(kind, "rectmf") == 0) {
         return "trapmf,[a a b b]";
+    }
     return "trimf, trapmf, gaussmf, gauss2mf, gbellmf, sigmf, dsigmf, psigmf, zmf, smf, pimf, "
            "linzmf, linsmf, pwlmf, or for Sugeno outputs constant, linear";
 }
@@ -266,22 +294,28 @@ static int parse_set(struct parser *p, long number)
     struct set *set;
     char *kind;
 
-    if (number < 1 || number > FIS_SETS_MAX)
+    if (number < 1 || number > FIS_SETS_MAX) {
         return FAIL(p, "MF%ld: sets are numbered from 1 to fistab's limit of %d", number,
                     FIS_SETS_MAX);
+    }
     if (grow(p, (void **)&variable->set, &variable->sets, (size_t)number - 1, sizeof *set) !=
-        EXIT_FINE)
+        EXIT_FINE) {
         return EXIT_INPUT;
+    }
     set = &variable->set[number - 1];
-    if (set->line != 0)
+    if (set->line != 0) {
         return FAIL(p, "MF%ld stands twice; the first is on line %d", number, set->line);
+    }
     set->line = p->scan.line;
-    if (scan_quoted(&p->scan, &set->name) != EXIT_FINE)
+    if (scan_quoted(&p->scan, &set->name) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (!scan_char(&p->scan, ':'))
+    }
+    if (!scan_char(&p->scan, ':')) {
         return FAIL(p, "a set is written MF1='name':'trimf',[0 1 2]");
-    if (scan_quoted(&p->scan, &kind) != EXIT_FINE)
+    }
+    if (scan_quoted(&p->scan, &kind) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     set->kind = mf_kind_by_name(kind);
     if (set->kind == MF_UNKNOWN) {
         FAIL(p, "'%s' is not a membership function of MATLAB's that fistab knows; use %s", kind,
@@ -290,8 +324,9 @@ static int parse_set(struct parser *p, long number)
         return EXIT_INPUT;
     }
     free(kind);
-    if (!scan_char(&p->scan, ','))
+    if (!scan_char(&p->scan, ',')) {
         return FAIL(p, "a set is written MF1='name':'trimf',[0 1 2]");
+    }
     return parse_parameters(p, set);
 }
 
@@ -306,10 +341,12 @@ static int parse_foreign_key(struct parser *p)
         const char *key = harmless[i][0];
         const char *value = harmless[i][1];
 
-        if (strcmp(p->scan.word, key) != 0)
+        if (strcmp(p->scan.word, key) != 0) {
             continue;
-        if (scan_word(&p->scan) && strcmp(p->scan.word, value) == 0 && scan_end(&p->scan))
+        }
+        if (scan_word(&p->scan) && strcmp(p->scan.word, value) == 0 && scan_end(&p->scan)) {
             return EXIT_FINE;
+        }
         return FAIL(p, "%s is fuzzylite's, not MATLAB's; only %s=%s can be read", key, key, value);
     }
     return FAIL(p,
@@ -325,10 +362,12 @@ static int parse_variable(struct parser *p)
     char *end;
     long number;
 
-    if (key == -2)
+    if (key == -2) {
         return EXIT_INPUT;
-    if (!scan_char(&p->scan, '='))
+    }
+    if (!scan_char(&p->scan, '=')) {
         return FAIL(p, "expected '=' after '%s'", p->scan.word);
+    }
     switch (key) {
     case 0:
         return take_name(p, &p->variable->name);
@@ -341,8 +380,9 @@ static int parse_variable(struct parser *p)
     }
     if (strncmp(p->scan.word, "MF", 2) == 0 && p->scan.word[2] >= '0' && p->scan.word[2] <= '9') {
         number = strtol(p->scan.word + 2, &end, 10);
-        if (*end == '\0')
+        if (*end == '\0') {
             return parse_set(p, number);
+        }
     }
     return parse_foreign_key(p);
 }
@@ -351,14 +391,17 @@ static int take_rule_number(struct parser *p, int *term)
 {
     double number;
 
-    if (scan_number(&p->scan, &number) != EXIT_FINE)
+    if (scan_number(&p->scan, &number) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (number != floor(number))
+    }
+    if (number != floor(number)) {
         return FAIL(
             p, "%g in a rule is a hedge of Octave's or an error; MATLAB has whole numbers here",
             number);
-    if (fabs(number) > FIS_SETS_MAX)
+    }
+    if (fabs(number) > FIS_SETS_MAX) {
         return FAIL(p, "there is no set %g; sets go to fistab's limit of %d", number, FIS_SETS_MAX);
+    }
     *term = (int)number;
     return EXIT_FINE;
 }
@@ -383,8 +426,9 @@ static int parse_rule(struct parser *p)
 
     for (;;) {
         if (scan_char(&p->scan, ',')) {
-            if (inputs != 0 || terms == 0)
+            if (inputs != 0 || terms == 0) {
                 return rule_form(p);
+            }
             inputs = terms;
         } else if (scan_char(&p->scan, '(')) {
             break;
@@ -394,36 +438,46 @@ static int parse_rule(struct parser *p)
             return FAIL(p, "a rule has more than %d numbers, fistab's limit",
                         2 * FIS_VARIABLES_MAX);
         } else {
-            if (take_rule_number(p, &term[terms]) != EXIT_FINE)
+            if (take_rule_number(p, &term[terms]) != EXIT_FINE) {
                 return EXIT_INPUT;
+            }
             terms++;
         }
     }
-    if (inputs == 0 || inputs == terms)
+    if (inputs == 0 || inputs == terms) {
         return rule_form(p);
-    if (fis->rules == FIS_RULES_MAX)
+    }
+    if (fis->rules == FIS_RULES_MAX) {
         return FAIL(p, "more than %d rules, fistab's limit", FIS_RULES_MAX);
-    if (grow(p, (void **)&fis->rule, &fis->rules, fis->rules, sizeof *rule) != EXIT_FINE)
+    }
+    if (grow(p, (void **)&fis->rule, &fis->rules, fis->rules, sizeof *rule) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     rule = &fis->rule[fis->rules - 1];
     rule->line = p->scan.line;
     rule->inputs = inputs;
     rule->outputs = terms - inputs;
     rule->term = malloc(terms * sizeof *rule->term);
-    if (rule->term == NULL)
+    if (rule->term == NULL) {
         return FAIL(p, "out of memory");
+    }
     memcpy(rule->term, term, terms * sizeof *rule->term);
 
-    if (scan_number(&p->scan, &rule->weight) != EXIT_FINE)
+    if (scan_number(&p->scan, &rule->weight) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (!(rule->weight >= 0 && rule->weight <= 1))
+    }
+    if (!(rule->weight >= 0 && rule->weight <= 1)) {
         return FAIL(p, "a rule's weight is from 0 to 1, not %g", rule->weight);
-    if (!scan_char(&p->scan, ')') || !scan_char(&p->scan, ':'))
+    }
+    if (!scan_char(&p->scan, ')') || !scan_char(&p->scan, ':')) {
         return rule_form(p);
-    if (scan_number(&p->scan, &number) != EXIT_FINE)
+    }
+    if (scan_number(&p->scan, &number) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (number != 1 && number != 2)
+    }
+    if (number != 1 && number != 2) {
         return FAIL(p, "a rule ends in ': 1' for and, ': 2' for or, not %g", number);
+    }
     rule->is_or = number == 2;
     return EXIT_FINE;
 }
@@ -431,16 +485,19 @@ static int parse_rule(struct parser *p)
 static int open_variable(struct parser *p, struct variable **list, size_t *count, size_t *declared,
                          long number)
 {
-    if (number < 1 || number > FIS_VARIABLES_MAX)
+    if (number < 1 || number > FIS_VARIABLES_MAX) {
         return FAIL(p, "[%s]: variables are numbered from 1 to fistab's limit of %d", p->scan.word,
                     FIS_VARIABLES_MAX);
-    if (grow(p, (void **)list, count, (size_t)number - 1, sizeof **list) != EXIT_FINE)
+    }
+    if (grow(p, (void **)list, count, (size_t)number - 1, sizeof **list) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     p->variable = &(*list)[number - 1];
     p->sets_declared = &declared[number - 1];
-    if (p->variable->line != 0)
+    if (p->variable->line != 0) {
         return FAIL(p, "[%s] stands twice; the first is on line %d", p->scan.word,
                     p->variable->line);
+    }
     p->variable->line = p->scan.line;
     p->section = SECTION_VARIABLE;
     return EXIT_FINE;
@@ -461,13 +518,15 @@ static int parse_section(struct parser *p)
     const char *word = p->scan.word;
     int status = EXIT_FINE;
 
-    if (!scan_word(&p->scan) || !scan_char(&p->scan, ']'))
+    if (!scan_word(&p->scan) || !scan_char(&p->scan, ']')) {
         return FAIL(p, "a section is written [System], [Input1], [Output1] or [Rules]");
+    }
     p->seen = 0;
     if (strcmp(word, "System") == 0 || strcmp(word, "Rules") == 0) {
         int *line = word[0] == 'S' ? &p->declared->system_line : &p->declared->rules_line;
-        if (*line != 0)
+        if (*line != 0) {
             return FAIL(p, "[%s] stands twice; the first is on line %d", word, *line);
+        }
         *line = p->scan.line;
         p->section = word[0] == 'S' ? SECTION_SYSTEM : SECTION_RULES;
     } else if (is_variable(word, "Input")) {
@@ -486,16 +545,21 @@ static int parse_section(struct parser *p)
 
 static int parse_line(struct parser *p)
 {
-    if (scan_char(&p->scan, '['))
+    if (scan_char(&p->scan, '[')) {
         return parse_section(p);
-    if (p->section == SECTION_RULES)
+    }
+    if (p->section == SECTION_RULES) {
         return parse_rule(p);
-    if (!scan_word(&p->scan))
+    }
+    if (!scan_word(&p->scan)) {
         return FAIL(p, "expected Key=value, found '%.40s'", p->scan.at);
-    if (p->section == SECTION_SYSTEM)
+    }
+    if (p->section == SECTION_SYSTEM) {
         return parse_system(p);
-    if (p->section == SECTION_VARIABLE)
+    }
+    if (p->section == SECTION_VARIABLE) {
         return parse_variable(p);
+    }
     return FAIL(p, "a .fis file begins with [System], not '%s'", p->scan.word);
 }
 
@@ -516,19 +580,23 @@ int fis_parse(const char *file, const char *text, size_t length, struct fis *fis
     memset(&declared, 0xFF, sizeof declared); /* every count NOT_DECLARED */
     declared.system_line = declared.rules_line = 0;
     status = scan_open(&p.scan, file, text, length);
-    if (status == EXIT_FINE && (fis->file = strdup(file)) == NULL)
+    if (status == EXIT_FINE && (fis->file = strdup(file)) == NULL) {
         status = diag_error(file, 0, "out of memory");
+    }
     while (status == EXIT_FINE && scan_line(&p.scan)) {
         status = parse_line(&p);
-        if (status == EXIT_FINE && !scan_end(&p.scan))
+        if (status == EXIT_FINE && !scan_end(&p.scan)) {
             status = FAIL(&p, "'%.40s' at the end of the line has no meaning here", p.scan.at);
+        }
     }
     scan_close(&p.scan);
-    if (status == EXIT_FINE)
+    if (status == EXIT_FINE) {
         status = fis_validate(fis, &declared);
-    if (status != EXIT_FINE)
+    }
+    if (status != EXIT_FINE) {
         fis_free(fis);
-    else
+    } else {
         fis->crc32 = crc32_update(0, text, length);
+    }
     return status;
 }

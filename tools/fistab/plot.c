@@ -56,11 +56,14 @@ static bool is_utf8(const char *text)
                    : *at >= 0xF0 && *at < 0xF5 ? 3
                                                : -1;
 
-        if (more < 0)
+        if (more < 0) {
             return false;
-        for (at++; more > 0; more--, at++)
-            if ((*at & 0xC0) != 0x80)
+        }
+        for (at++; more > 0; more--, at++) {
+            if ((*at & 0xC0) != 0x80) {
                 return false;
+            }
+        }
     }
     return true;
 }
@@ -74,14 +77,15 @@ static void put_name(FILE *out, const char *name, size_t length)
     for (size_t i = 0; i < length; i++) {
         unsigned char c = (unsigned char)name[i];
 
-        if (c == '\'')
+        if (c == '\'') {
             fputs("''", out);
-        else if (c == '_' || c < ' ')
+        } else if (c == '_' || c < ' ') {
             putc(' ', out);
-        else if (c < 0x80 || utf8)
+        } else if (c < 0x80 || utf8) {
             putc(c, out);
-        else
+        } else {
             fprintf(out, "%c%c", 0xC0 | c >> 6, 0x80 | (c & 0x3F));
+        }
     }
 }
 
@@ -93,8 +97,9 @@ static void put_quantity(FILE *out, const struct variable *variable)
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         size_t ending = strlen(units[i].ending);
 
-        if (length <= ending || strcmp(variable->name + length - ending, units[i].ending) != 0)
+        if (length <= ending || strcmp(variable->name + length - ending, units[i].ending) != 0) {
             continue;
+        }
         put_name(out, variable->name, length - ending);
         fprintf(out, " (%s)", units[i].unit);
         return;
@@ -128,16 +133,19 @@ static bool evaluate(struct sheet *sheet)
         engine_free(engine);
         return false;
     }
-    for (size_t i = 0; i < fis->inputs; i++)
+    for (size_t i = 0; i < fis->inputs; i++) {
         x[i] = (fis->input[i].min + fis->input[i].max) / 2;
+    }
     for (size_t n = 0; n < node_count(sheet); n++) {
-        if (fis->inputs > 1)
+        if (fis->inputs > 1) {
             x[axis[1]] = node(&fis->input[axis[1]], n % sheet->nodes, sheet->nodes);
+        }
         x[axis[0]] =
             node(&fis->input[axis[0]], fis->inputs > 1 ? n / sheet->nodes : n, sheet->nodes);
         engine_eval(engine, x, y);
-        for (size_t o = 0; o < fis->outputs; o++)
+        for (size_t o = 0; o < fis->outputs; o++) {
             sheet->value[n * fis->outputs + o] = engine_fired(engine, o) ? y[o] : NAN;
+        }
     }
     engine_free(engine);
     return true;
@@ -152,18 +160,20 @@ static void write_values(const struct sheet *sheet)
 
     fprintf(sheet->out, "$outputs << end_of_data\n");
     for (size_t n = 0; n < node_count(sheet); n++) {
-        if (fis->inputs == 1)
+        if (fis->inputs == 1) {
             fprintf(sheet->out, "%.10g", node(first, n, sheet->nodes));
-        else
+        } else {
             fprintf(sheet->out, "%s%.10g %.10g", n > 0 && n % sheet->nodes == 0 ? "\n" : "",
                     node(first, n / sheet->nodes, sheet->nodes),
                     node(second, n % sheet->nodes, sheet->nodes));
+        }
         for (size_t o = 0; o < fis->outputs; o++) {
             double value = sheet->value[n * fis->outputs + o];
-            if (isnan(value))
+            if (isnan(value)) {
                 fprintf(sheet->out, " NaN");
-            else
+            } else {
                 fprintf(sheet->out, " %.10g", value);
+            }
         }
         putc('\n', sheet->out);
     }
@@ -191,10 +201,12 @@ static int view_degrees(const struct sheet *sheet, size_t output)
     const size_t corner[] = {0, last * row, last * row + last, last};
     int lowest = 0;
 
-    for (int i = 1; i < 4; i++)
+    for (int i = 1; i < 4; i++) {
         if (sheet->value[corner[i] * sheet->fis->outputs + output] <
-            sheet->value[corner[lowest] * sheet->fis->outputs + output])
+            sheet->value[corner[lowest] * sheet->fis->outputs + output]) {
             lowest = i;
+        }
+    }
     return 40 + 90 * lowest;
 }
 
@@ -237,8 +249,9 @@ static void write_title(const struct sheet *sheet)
     for (size_t i = 0; i < sheet->fis->inputs && sheet->fis->inputs > 1; i++) {
         const struct variable *input = &sheet->fis->input[i];
 
-        if (i == axis[0] || i == axis[1])
+        if (i == axis[0] || i == axis[1]) {
             continue;
+        }
         fputs(between, sheet->out);
         put_quantity(sheet->out, input);
         fprintf(sheet->out, " at %.6g", (input->min + input->max) / 2);
@@ -304,8 +317,9 @@ static double summit(const struct variable *variable, const struct set *set)
             best = degree;
             first = x;
         }
-        if (degree >= best - 1e-9)
+        if (degree >= best - 1e-9) {
             last = x;
+        }
     }
     return (first + last) / 2;
 }
@@ -331,13 +345,15 @@ static size_t place_names(const struct variable *range, const double *x, struct 
         name[s].row = 0;
         for (size_t other = 0; other < s; other++) {
             if (name[other].row != name[s].row || name[other].right <= name[s].left ||
-                name[s].right <= name[other].left)
+                name[s].right <= name[other].left) {
                 continue;
+            }
             name[s].row++;
             other = (size_t)-1; /* all others again, in the next row */
         }
-        if (name[s].row + 1 > rows)
+        if (name[s].row + 1 > rows) {
             rows = name[s].row + 1;
+        }
     }
     return rows;
 }
@@ -361,14 +377,16 @@ static void write_posts(FILE *out, const struct variable *range)
     for (size_t s = 0; s < range->sets; s++) {
         double x = range->set[s].parameter[0];
 
-        if (range->set[s].kind == MF_CONSTANT)
+        if (range->set[s].kind == MF_CONSTANT) {
             fprintf(out, "set arrow from first %.10g, 0 to first %.10g, 1 nohead linewidth 2\n", x,
                     x);
-        else
+        } else {
             linear++;
+        }
     }
-    if (linear > 0)
+    if (linear > 0) {
         fprintf(out, "set label '%zu linear, not drawn' at graph 0.5, 0.4 center\n", linear);
+    }
     fprintf(out, "plot -1 notitle\nunset arrow\n");
 }
 
@@ -379,11 +397,12 @@ static void write_curves(FILE *out, const struct variable *variable)
     enum { COLORS = sizeof color / sizeof color[0] };
 
     fprintf(out, "plot ");
-    for (size_t s = 0; s < variable->sets; s++)
+    for (size_t s = 0; s < variable->sets; s++) {
         fprintf(
             out,
             "%s$sets using 1:%zu with lines linewidth 2 dashtype %zu linecolor rgb '%s' notitle",
             s == 0 ? "" : ", ", s + 2, s / COLORS + 1, color[s % COLORS]);
+    }
     fprintf(out, "\n");
 }
 
@@ -393,8 +412,9 @@ static struct variable range_of_sets(const struct variable *variable)
     struct variable range = *variable;
 
     for (size_t s = 0; s < range.sets; s++) {
-        if (range.set[s].kind != MF_CONSTANT)
+        if (range.set[s].kind != MF_CONSTANT) {
             continue;
+        }
         range.min = fmin(range.min, range.set[s].parameter[0]);
         range.max = fmax(range.max, range.set[s].parameter[0]);
     }
@@ -409,20 +429,23 @@ static bool write_sets_panel(FILE *out, const struct variable *variable)
     struct name_place *name = calloc(range.sets, sizeof *name);
     bool enough = x != NULL && name != NULL;
 
-    for (size_t s = 0; enough && s < range.sets; s++)
+    for (size_t s = 0; enough && s < range.sets; s++) {
         x[s] = sugeno ? range.set[s].parameter[0] : summit(&range, &range.set[s]);
+    }
     if (enough) {
         write_range(out, "x", &range);
         fprintf(out, "set yrange [0:%.3f]\n",
                 1.04 + NAME_HEIGHT * (double)place_names(&range, x, name));
         fprintf(out, "set ytics nomirror (0, 0.5, 1)\nset ylabel 'membership'\n");
-        if (!sugeno)
+        if (!sugeno) {
             write_degrees(out, &range);
+        }
         write_names(out, &range, name);
-        if (sugeno)
+        if (sugeno) {
             write_posts(out, &range);
-        else
+        } else {
             write_curves(out, &range);
+        }
         fprintf(out, "unset label\n");
     }
     free(x);
@@ -435,15 +458,16 @@ static bool write_sets_panel(FILE *out, const struct variable *variable)
 static void write_head(const struct sheet *sheet)
 {
     if (sheet->options
-            ->png) /* whose font sizes are in points at 96 dots an inch, the SVG's in dots */
+            ->png) { /* whose font sizes are in points at 96 dots an inch, the SVG's in dots */
         fprintf(sheet->out,
                 "set terminal pngcairo noenhanced size %d,%.0f font 'Sans,13' fontscale %g "
                 "linewidth %d background '#ffffff'\n",
                 SHEET_WIDTH * SCALE, sheet->height * SCALE, SCALE * 72.0 / 96, SCALE);
-    else
+    } else {
         fprintf(sheet->out,
                 "set terminal svg noenhanced size %d,%.0f font 'Arial,13' background '#ffffff'\n",
                 SHEET_WIDTH, sheet->height);
+    }
     fprintf(sheet->out,
             "set encoding utf8\n"
             "set datafile missing NaN\n"
@@ -467,12 +491,13 @@ static void write_surfaces(const struct sheet *sheet, size_t across, double heig
 
         /* gnuplot leaves little room for the upright axis' label, and much above the surface: room
          * for a title, if there is one */
-        if (sheet->fis->inputs == 1)
+        if (sheet->fis->inputs == 1) {
             place(sheet, left, top, width, height);
-        else if (sheet->fis->inputs == 2)
+        } else if (sheet->fis->inputs == 2) {
             place(sheet, left + 45, top - height * 0.1, width - 70, height * 1.1);
-        else
+        } else {
             place(sheet, left + 45, top, width - 70, height);
+        }
         write_surface_panel(sheet, o);
     }
 }
@@ -490,12 +515,14 @@ static bool write_sets(const struct sheet *sheet, double top)
         const struct variable *variable =
             v < fis->inputs ? &fis->input[v] : &fis->output[v - fis->inputs];
 
-        if (variable->sets == 0)
+        if (variable->sets == 0) {
             continue;
+        }
         place(sheet, (double)(drawn % SETS_ACROSS) * width,
               top + (double)(drawn / SETS_ACROSS * SETS_HEIGHT), width, SETS_HEIGHT);
-        if (!write_sets_panel(sheet->out, variable))
+        if (!write_sets_panel(sheet->out, variable)) {
             return false;
+        }
         drawn++;
     }
     return true;
@@ -505,10 +532,12 @@ static size_t variables_with_sets(const struct fis *fis)
 {
     size_t count = 0;
 
-    for (size_t i = 0; i < fis->inputs; i++)
+    for (size_t i = 0; i < fis->inputs; i++) {
         count += fis->input[i].sets > 0;
-    for (size_t o = 0; o < fis->outputs; o++)
+    }
+    for (size_t o = 0; o < fis->outputs; o++) {
         count += fis->output[o].sets > 0;
+    }
     return count;
 }
 
@@ -521,16 +550,18 @@ int plot_write(FILE *out, const struct fis *fis, const struct plot_options *opti
 
     if (!options->sets_only) {
         enough = evaluate(&sheet);
-        if (enough)
+        if (enough) {
             write_values(&sheet);
+        }
         sets_top = (double)((fis->outputs + across - 1) / across) * surface_height;
     }
     sheet.height = sets_top + (double)((variables_with_sets(fis) + SETS_ACROSS - 1) / SETS_ACROSS *
                                        SETS_HEIGHT);
     if (enough) {
         write_head(&sheet);
-        if (!options->sets_only)
+        if (!options->sets_only) {
             write_surfaces(&sheet, across, surface_height);
+        }
         enough = write_sets(&sheet, sets_top);
         fprintf(out, "unset multiplot\n");
     }

@@ -94,7 +94,8 @@ struct moments quad(const struct integrand *integrand, double left, double right
 {
     struct path path = {.integrand = integrand, .density = integrand->tolerance / (right - left)};
 
-    if (!(right > left))
+    if (!(right > left)) {
         return (struct moments){0, 0};
+    }
     return refine(&path, left, right, 0);
 }

@@ -36,8 +36,9 @@ struct cut {
 
 static void enqueue(struct cut *cut, size_t i)
 {
-    if (cut->queued[i])
+    if (cut->queued[i]) {
         return;
+    }
     cut->queued[i] = 1;
     cut->queue[(cut->queue_head + cut->queue_length++) % cut->count] = i;
 }
@@ -67,21 +68,25 @@ static void find_neighbours(struct cut *cut, const size_t *dims)
 {
     size_t stride = cut->count;
 
-    for (size_t i = 0; i < cut->count; i++)
+    for (size_t i = 0; i < cut->count; i++) {
         cut->cells[i].has_upper = cut->cells[i].has_lower = 0;
+    }
     for (int k = 0; k < cut->inputs; k++) {
         stride /= dims[k];
-        if (cut->step[k] == 0)
+        if (cut->step[k] == 0) {
             continue;
+        }
         for (size_t i = 0; i < cut->count; i++) {
             size_t place = i / stride % dims[k];
             struct cell *cell = &cut->cells[i], *above;
 
-            if (place == (cut->step[k] > 0 ? dims[k] - 1 : 0))
+            if (place == (cut->step[k] > 0 ? dims[k] - 1 : 0)) {
                 continue;
+            }
             above = &cut->cells[upper(cut, i, k)];
-            if (cell->low == cell->high || above->low != cell->low || above->high != cell->high)
+            if (cell->low == cell->high || above->low != cell->low || above->high != cell->high) {
                 continue;
+            }
             cell->has_upper |= (unsigned char)(1U << k);
             above->has_lower |= (unsigned char)(1U << k);
         }
@@ -92,8 +97,9 @@ static void find_neighbours(struct cut *cut, const size_t *dims)
  * the queue, and leaves in it the cells that can still send something. */
 static void relabel_all(struct cut *cut)
 {
-    while (cut->queue_length > 0)
+    while (cut->queue_length > 0) {
         dequeue(cut);
+    }
     for (size_t i = 0; i < cut->count; i++) {
         cut->cells[i].height = cut->count + 1;
         if (cut->cells[i].room > 0) {
@@ -119,9 +125,11 @@ static void relabel_all(struct cut *cut)
             }
         }
     }
-    for (size_t i = 0; i < cut->count; i++)
-        if (cut->cells[i].excess > 0 && cut->cells[i].height <= cut->count)
+    for (size_t i = 0; i < cut->count; i++) {
+        if (cut->cells[i].excess > 0 && cut->cells[i].height <= cut->count) {
             enqueue(cut, i);
+        }
+    }
 }
 
 /* Sends what cell i has on to lower heights, lifting it as needed, until it has nothing left or
@@ -162,8 +170,9 @@ static size_t discharge(struct cut *cut, size_t i)
                     below->excess += amount;
                     enqueue(cut, lower(cut, i, k));
                 }
-                if (below->flow[k] > 0 && below->height < lowest)
+                if (below->flow[k] > 0 && below->height < lowest) {
                     lowest = below->height;
+                }
             }
         }
         if (cell->excess > 0) {
@@ -185,8 +194,9 @@ static void find_cut(struct cut *cut, const int64_t *scaled, int64_t half)
 
         cell->excess = over > 0 ? over : 0;
         cell->room = over < 0 ? -over : 0;
-        for (int k = 0; k < cut->inputs; k++)
+        for (int k = 0; k < cut->inputs; k++) {
             cell->flow[k] = 0;
+        }
     }
     relabel_all(cut);
     while (cut->queue_length > 0) {
@@ -216,8 +226,9 @@ int repair_monotone(const double *surface, const size_t *dims, int inputs, const
     size_t stride;
     int status = -1;
 
-    for (int k = 0; k < inputs; k++)
+    for (int k = 0; k < inputs; k++) {
         cut.count *= dims[k];
+    }
     stride = cut.count;
     for (int k = 0; k < inputs; k++) {
         stride /= dims[k];
@@ -227,11 +238,13 @@ int repair_monotone(const double *surface, const size_t *dims, int inputs, const
     cut.queue = calloc(cut.count, sizeof *cut.queue);
     cut.queued = calloc(cut.count, 1);
     scaled = calloc(cut.count, sizeof *scaled);
-    if (cut.cells == NULL || cut.queue == NULL || cut.queued == NULL || scaled == NULL)
+    if (cut.cells == NULL || cut.queue == NULL || cut.queued == NULL || scaled == NULL) {
         goto done;
+    }
 
-    for (size_t i = 0; i < cut.count; i++)
+    for (size_t i = 0; i < cut.count; i++) {
         largest = fmax(largest, fabs(surface[i]));
+    }
     scale = scale_for(cut.count, levels_max, largest);
     for (size_t i = 0; i < cut.count; i++) {
         scaled[i] = llround(surface[i] * (double)scale);
@@ -244,16 +257,19 @@ int repair_monotone(const double *surface, const size_t *dims, int inputs, const
             struct cell *cell = &cut.cells[i];
             int middle = (cell->low + cell->high) / 2;
 
-            if (cell->low == cell->high)
+            if (cell->low == cell->high) {
                 continue;
-            if (cell->height > cut.count)
+            }
+            if (cell->height > cut.count) {
                 cell->low = middle + 1;
-            else
+            } else {
                 cell->high = middle;
+            }
         }
     }
-    for (size_t i = 0; i < cut.count; i++)
+    for (size_t i = 0; i < cut.count; i++) {
         cells[i] = cut.cells[i].low;
+    }
     status = 0;
 done:
     free(cut.cells);
@@ -268,18 +284,22 @@ size_t repair_violations(const int *cells, const size_t *dims, int inputs, const
 {
     size_t count = 1, stride, violations = 0;
 
-    for (int k = 0; k < inputs; k++)
+    for (int k = 0; k < inputs; k++) {
         count *= dims[k];
+    }
     for (size_t i = 0; i < count; i++) {
         stride = count;
         for (int k = 0; k < inputs; k++) {
             stride /= dims[k];
-            if (i / stride % dims[k] + 1 == dims[k])
+            if (i / stride % dims[k] + 1 == dims[k]) {
                 continue;
-            if ((cells[i + stride] - cells[i]) * direction[k] >= 0)
+            }
+            if ((cells[i + stride] - cells[i]) * direction[k] >= 0) {
                 continue;
-            if (violations++ == 0 && first != NULL)
+            }
+            if (violations++ == 0 && first != NULL) {
                 *first = i;
+            }
         }
     }
     return violations;
@@ -304,10 +324,12 @@ int repair_output(struct table *table, size_t output, const struct law *law,
     /* Halves go up as they do in rounding, so that no cell changes but for the law. */
     double *nudged = malloc(table->cells * sizeof *nudged);
 
-    if (nudged == NULL)
+    if (nudged == NULL) {
         return -1;
-    for (size_t i = 0; i < table->cells; i++)
+    }
+    for (size_t i = 0; i < table->cells; i++) {
         nudged[i] = surface[i] + TABLE_HALF_WITHIN;
+    }
     *report = (struct repair_report){
         .broken_before = repair_violations(cell, table->dims, inputs, law->direction, NULL),
         .squares_before = sum_of_squares(table, output),
@@ -315,16 +337,18 @@ int repair_output(struct table *table, size_t output, const struct law *law,
     status =
         repair_monotone(nudged, table->dims, inputs, law->direction, table->options.levels, cell);
     free(nudged);
-    if (status != 0)
+    if (status != 0) {
         return -1;
+    }
     report->broken_after = repair_violations(cell, table->dims, inputs, law->direction, NULL);
     report->squares_after = sum_of_squares(table, output);
     for (size_t i = 0; i < table->cells; i++) {
         int change = abs(cell[i] - table_round(surface[i]));
 
         report->changed += change > 0;
-        if (change > report->largest)
+        if (change > report->largest) {
             report->largest = change;
+        }
     }
     return 0;
 }

@@ -20,9 +20,11 @@ static size_t utf8_length(const unsigned char *s)
                     : s[0] < 0xF5 ? 4
                                   : 0;
 
-    for (size_t i = 1; i < length; i++)
-        if ((s[i] & 0xC0) != 0x80)
+    for (size_t i = 1; i < length; i++) {
+        if ((s[i] & 0xC0) != 0x80) {
             return 0;
+        }
+    }
     return length;
 }
 
@@ -30,8 +32,9 @@ static bool is_utf8(const char *text)
 {
     while (*text != '\0') {
         size_t length = utf8_length((const unsigned char *)text);
-        if (length == 0)
+        if (length == 0) {
             return false;
+        }
         text += length;
     }
     return true;
@@ -42,8 +45,9 @@ static char *utf8_from_latin1(const char *text)
     char *utf8 = malloc(2 * strlen(text) + 1);
     char *out = utf8;
 
-    if (utf8 == NULL)
+    if (utf8 == NULL) {
         return NULL;
+    }
     for (; *text != '\0'; text++) {
         unsigned char c = (unsigned char)*text;
         if (c >= 0x80) {
@@ -60,33 +64,39 @@ int scan_open(struct scan *scan, const char *file, const char *text, size_t leng
 {
     memset(scan, 0, sizeof *scan);
     scan->file = file;
-    if (length > FIS_BYTES_MAX)
+    if (length > FIS_BYTES_MAX) {
         return diag_error(file, 0, "larger than %d bytes, the limit; is this a .fis file?",
                           FIS_BYTES_MAX);
+    }
     if (length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
         text += 3;
         length -= 3;
     }
-    if (length > 0 && text[length - 1] == 0x1A) /* DOS end of file */
+    if (length > 0 && text[length - 1] == 0x1A) { /* DOS end of file */
         length--;
-    for (size_t i = 0; i < length; i++)
-        if ((unsigned char)text[i] < ' ' && strchr("\t\n\v\f\r", text[i]) == NULL)
+    }
+    for (size_t i = 0; i < length; i++) {
+        if ((unsigned char)text[i] < ' ' && strchr("\t\n\v\f\r", text[i]) == NULL) {
             return diag_error(
                 file, 0, "holds a control character (byte %d is 0x%02X); a .fis is a text file",
                 (int)i + 1, (unsigned)text[i]);
-        else if (text[i] == '\0')
+        } else if (text[i] == '\0') {
             return diag_error(file, 0, "holds a zero byte; save it as plain text, not as UTF-16");
+        }
+    }
     scan->text = malloc(length + 1);
-    if (scan->text == NULL)
+    if (scan->text == NULL) {
         return diag_error(file, 0, "out of memory");
+    }
     memcpy(scan->text, text, length);
     scan->text[length] = '\0';
     if (!is_utf8(scan->text)) {
         char *utf8 = utf8_from_latin1(scan->text);
         free(scan->text);
         scan->text = utf8;
-        if (utf8 == NULL)
+        if (utf8 == NULL) {
             return diag_error(file, 0, "out of memory");
+        }
     }
     scan->next = scan->text;
     return EXIT_FINE;
@@ -100,8 +110,9 @@ void scan_close(struct scan *scan)
 
 static void skip_blanks(struct scan *scan)
 {
-    while (isspace((unsigned char)*scan->at))
+    while (isspace((unsigned char)*scan->at)) {
         scan->at++;
+    }
 }
 
 static void cut_comment(char *line)
@@ -110,8 +121,9 @@ static void cut_comment(char *line)
 
     for (; *line != '\0'; line++) {
         if (quote != '\0') {
-            if (*line == quote)
+            if (*line == quote) {
                 quote = '\0';
+            }
         } else if (*line == '\'' || *line == '"') {
             quote = *line;
         } else if (*line == '%') {
@@ -128,15 +140,17 @@ bool scan_line(struct scan *scan)
 
         scan->at = scan->next;
         scan->line++;
-        if (*end == '\0')
+        if (*end == '\0') {
             scan->next = NULL;
-        else
+        } else {
             scan->next = end + (end[0] == '\r' && end[1] == '\n' ? 2 : 1);
+        }
         *end = '\0';
         cut_comment(scan->at);
         skip_blanks(scan);
-        if (*scan->at != '\0' && *scan->at != '#' && strncmp(scan->at, "//", 2) != 0)
+        if (*scan->at != '\0' && *scan->at != '#' && strncmp(scan->at, "//", 2) != 0) {
             return true;
+        }
     }
     return false;
 }
@@ -144,8 +158,9 @@ bool scan_line(struct scan *scan)
 bool scan_char(struct scan *scan, char c)
 {
     skip_blanks(scan);
-    if (*scan->at != c)
+    if (*scan->at != c) {
         return false;
+    }
     scan->at++;
     return true;
 }
@@ -162,10 +177,12 @@ bool scan_word(struct scan *scan)
     size_t length = 0;
 
     skip_blanks(scan);
-    while (isalnum((unsigned char)scan->at[length]) || scan->at[length] == '_')
+    while (isalnum((unsigned char)scan->at[length]) || scan->at[length] == '_') {
         length++;
-    if (length == 0 || length >= sizeof scan->word)
+    }
+    if (length == 0 || length >= sizeof scan->word) {
         return false;
+    }
     memcpy(scan->word, scan->at, length);
     scan->word[length] = '\0';
     scan->at += length;
@@ -186,11 +203,13 @@ int scan_number(struct scan *scan, double *number)
     length = strcspn(scan->at, " \t\v\f,;:()[]'\"");
     *number = strtod(scan->at, &end);
     if (length == 0 || end != scan->at + length || memchr(scan->at, 'x', length) != NULL ||
-        memchr(scan->at, 'X', length) != NULL || isnan(*number))
+        memchr(scan->at, 'X', length) != NULL || isnan(*number)) {
         return diag_error(scan->file, scan->line, "expected a number, found %.40s", rest(scan));
-    if (isfinite(*number) && fabs(*number) > FIS_NUMBER_MAX)
+    }
+    if (isfinite(*number) && fabs(*number) > FIS_NUMBER_MAX) {
         return diag_error(scan->file, scan->line, "'%.*s' is beyond the limit of %g", (int)length,
                           scan->at, FIS_NUMBER_MAX);
+    }
     scan->at += length;
     return EXIT_FINE;
 }
@@ -202,16 +221,19 @@ int scan_quoted(struct scan *scan, char **string)
 
     skip_blanks(scan);
     quote = *scan->at;
-    if (quote != '\'' && quote != '"')
+    if (quote != '\'' && quote != '"') {
         return diag_error(scan->file, scan->line, "expected a name in quotes, found %.40s",
                           rest(scan));
+    }
     *string = out = malloc(strlen(scan->at));
-    if (out == NULL)
+    if (out == NULL) {
         return diag_error(scan->file, scan->line, "out of memory");
+    }
     scan->at++;
     while (*scan->at != '\0' && (scan->at[0] != quote || scan->at[1] == quote)) {
-        if (*scan->at == quote) /* doubled: means itself */
+        if (*scan->at == quote) { /* doubled: means itself */
             scan->at++;
+        }
         *out++ = *scan->at++;
     }
     *out = '\0';

@@ -10,8 +10,9 @@ struct list {
 
 static void add(struct list *list, double x)
 {
-    if (isfinite(x))
+    if (isfinite(x)) {
         list->kink[list->count++] = x;
+    }
 }
 
 bool shape_is_linear(const struct set *set)
@@ -42,10 +43,11 @@ double shape_peak(double (*f)(double x, const void *context), const void *contex
 
     for (int i = 0; i < 60; i++) {
         double middle = (left + right) / 2;
-        if (slope(f, context, middle, step) > 0)
+        if (slope(f, context, middle, step) > 0) {
             left = middle;
-        else
+        } else {
             right = middle;
+        }
     }
     return (left + right) / 2;
 }
@@ -68,8 +70,9 @@ static void add_gauss(struct list *list, double sigma, double centre)
 static void add_sigmoid(struct list *list, double a, double centre)
 {
     add(list, centre);
-    if (a == 0)
+    if (a == 0) {
         return;
+    }
     for (double far = 2.5; far < 30; far *= 3.2) {
         add(list, centre - far / a);
         add(list, centre + far / a);
@@ -81,13 +84,15 @@ static void add_bell(struct list *list, double a, double b, double centre)
     add(list, centre);
     add(list, centre - a);
     add(list, centre + a);
-    if (b == 0)
+    if (b == 0) {
         return;
-    for (double far = 1.5; far < 30; far *= 4) /* where the power in it is e to the far */
+    }
+    for (double far = 1.5; far < 30; far *= 4) { /* where the power in it is e to the far */
         for (int side = -1; side <= 1; side += 2) {
             add(list, centre + side * a * exp(far / (2 * b)));
             add(list, centre + side * a * exp(-far / (2 * b)));
         }
+    }
 }
 
 static void add_spline(struct list *list, double a, double b)
@@ -105,10 +110,11 @@ static double sign_change(double (*g)(double x, const double *p), const double *
 
     for (int i = 0; i < 200; i++) {
         double middle = left + (right - left) / 2;
-        if ((g(middle, p) > 0) == sign)
+        if ((g(middle, p) > 0) == sign) {
             left = middle;
-        else
+        } else {
             right = middle;
+        }
     }
     return left;
 }
@@ -141,8 +147,9 @@ static void add_two_sigmoids(struct list *list, const struct set *set)
 
     add_sigmoid(list, p[0], p[1]);
     add_sigmoid(list, p[2], p[3]);
-    if (p[0] == 0 || p[2] == 0)
+    if (p[0] == 0 || p[2] == 0) {
         return;
+    }
     left = fmin(p[1] - 800 / fabs(p[0]), p[3] - 800 / fabs(p[2]));
     right = fmax(p[1] + 800 / fabs(p[0]), p[3] + 800 / fabs(p[2]));
     if (set->kind == MF_PSIGMF) {
@@ -165,19 +172,23 @@ size_t shape_kinks(const struct set *set, double *kink)
     switch (set->kind) {
     case MF_TRAPMF:
         if (p[1] > p[2] &&
-            p[3] > p[0]) /* shoulders crossed: a lower triangle with its top where the sides meet */
+            p[3] >
+                p[0]) { /* shoulders crossed: a lower triangle with its top where the sides meet */
             add(&list,
                 (p[0] * (p[3] - p[2]) + p[3] * (p[1] - p[0])) / ((p[1] - p[0]) + (p[3] - p[2])));
+        }
         /* fall through */
     case MF_TRIMF:
     case MF_LINZMF:
     case MF_LINSMF:
-        for (size_t i = 0; i < set->parameters; i++)
+        for (size_t i = 0; i < set->parameters; i++) {
             add(&list, p[i]);
+        }
         break;
     case MF_PWLMF:
-        for (size_t i = 0; i < set->parameters; i += 2)
+        for (size_t i = 0; i < set->parameters; i += 2) {
             add(&list, p[i]);
+        }
         break;
     case MF_GAUSSMF:
         add_gauss(&list, p[0], p[1]);
@@ -185,8 +196,9 @@ size_t shape_kinks(const struct set *set, double *kink)
     case MF_GAUSS2MF:
         add_gauss(&list, p[0], p[1]);
         add_gauss(&list, p[2], p[3]);
-        if (p[1] > p[3]) /* the two sides overlap: a product of two bells, a bell again */
+        if (p[1] > p[3]) { /* the two sides overlap: a product of two bells, a bell again */
             add(&list, p[3] + (p[1] - p[3]) / (1 + (p[0] / p[2]) * (p[0] / p[2])));
+        }
         break;
     case MF_GBELLMF:
         add_bell(&list, p[0], p[1], p[2]);
@@ -205,8 +217,9 @@ size_t shape_kinks(const struct set *set, double *kink)
     case MF_PIMF:
         add_spline(&list, p[0], p[1]);
         add_spline(&list, p[2], p[3]);
-        if (p[1] > p[2])
+        if (p[1] > p[2]) {
             add(&list, shape_peak(degree, set, fmax(p[0], p[2]), fmin(p[1], p[3])));
+        }
         break;
     default:
         break;

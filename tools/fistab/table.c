@@ -20,8 +20,9 @@ double table_axis_value(const struct table *table, size_t input, size_t index)
     size_t dim = table->dims[input];
     double span = variable->max - variable->min;
 
-    if (!table->options.nodes)
+    if (!table->options.nodes) {
         return variable->min + span * (2 * (double)index + 1) / (2 * (double)dim);
+    }
     return index + 1 == dim ? variable->max
                             : variable->min + span * (double)index / (double)(dim - 1);
 }
@@ -67,24 +68,27 @@ static int sample_cell(struct table *table, struct engine *engine, size_t cell)
     char buffer[400];
 
     table_coordinates(table, cell, at);
-    for (size_t i = 0; i < table->inputs; i++)
+    for (size_t i = 0; i < table->inputs; i++) {
         x[i] = table_axis_value(table, i, at[i]);
+    }
     engine_eval(engine, x, y);
     for (size_t o = 0; o < table->outputs; o++) {
         const struct variable *output = &fis->output[o];
         double levels = (y[o] - output->min) / (output->max - output->min) * table->options.levels;
 
-        if (!engine_fired(engine, o))
+        if (!engine_fired(engine, o)) {
             return diag_error(
                 fis->file, output->line,
                 "(rule_gap) no rule for '%s' fires at %s; a table has no holes, add a rule",
                 output->name, point_text(fis, x, buffer, sizeof buffer));
-        if (levels < -1e-9 || levels > table->options.levels + 1e-9)
+        }
+        if (levels < -1e-9 || levels > table->options.levels + 1e-9) {
             return diag_error(
                 fis->file, output->line,
                 "(output_range) '%s' is %.6g at %s, outside its range of %g to %g; widen the range",
                 output->name, y[o], point_text(fis, x, buffer, sizeof buffer), output->min,
                 output->max);
+        }
         table->surface[o][cell] = fmin(fmax(levels, 0), table->options.levels);
         table->cell[o][cell] = table_rounded(table, table->surface[o][cell]);
     }
@@ -100,11 +104,13 @@ static int set_dims(struct table *table)
         size_t dim =
             table->options.dims[i] != 0 ? table->options.dims[i] : table_default_dim(table->inputs);
 
-        if (table->options.nodes && dim < 2)
+        if (table->options.nodes && dim < 2) {
             return diag_error(file, 0, "a grid of nodes needs at least 2 along each input");
-        if (dim > TABLE_CELLS_MAX / table->cells)
+        }
+        if (dim > TABLE_CELLS_MAX / table->cells) {
             return diag_error(file, 0, "a grid of more than %d cells is beyond fistab's limit",
                               TABLE_CELLS_MAX);
+        }
         table->dims[i] = dim;
         table->cells *= dim;
     }
@@ -115,13 +121,15 @@ static bool allocate(struct table *table)
 {
     table->surface = calloc(table->outputs, sizeof *table->surface);
     table->cell = calloc(table->outputs, sizeof *table->cell);
-    if (table->surface == NULL || table->cell == NULL)
+    if (table->surface == NULL || table->cell == NULL) {
         return false;
+    }
     for (size_t o = 0; o < table->outputs; o++) {
         table->surface[o] = malloc(table->cells * sizeof **table->surface);
         table->cell[o] = malloc(table->cells * sizeof **table->cell);
-        if (table->surface[o] == NULL || table->cell[o] == NULL)
+        if (table->surface[o] == NULL || table->cell[o] == NULL) {
             return false;
+        }
     }
     return true;
 }
@@ -136,29 +144,36 @@ int table_make(const struct fis *fis, const struct table_options *options, struc
     table->options = *options;
     table->inputs = fis->inputs;
     table->outputs = fis->outputs;
-    if (fis->inputs > TABLE_INPUTS_MAX)
+    if (fis->inputs > TABLE_INPUTS_MAX) {
         return diag_error(fis->file, 0, "%zu inputs; a table has at most %d", fis->inputs,
                           TABLE_INPUTS_MAX);
+    }
     status = set_dims(table);
-    if (status == EXIT_FINE && !allocate(table))
+    if (status == EXIT_FINE && !allocate(table)) {
         status = diag_error(fis->file, 0, "out of memory");
-    if (status == EXIT_FINE && (engine = engine_create(fis, &options->infer)) == NULL)
+    }
+    if (status == EXIT_FINE && (engine = engine_create(fis, &options->infer)) == NULL) {
         status = EXIT_INPUT;
-    for (size_t cell = 0; status == EXIT_FINE && cell < table->cells; cell++)
+    }
+    for (size_t cell = 0; status == EXIT_FINE && cell < table->cells; cell++) {
         status = sample_cell(table, engine, cell);
+    }
     engine_free(engine);
-    if (status != EXIT_FINE)
+    if (status != EXIT_FINE) {
         table_free(table);
+    }
     return status;
 }
 
 void table_free(struct table *table)
 {
     for (size_t o = 0; o < table->outputs; o++) {
-        if (table->surface != NULL)
+        if (table->surface != NULL) {
             free(table->surface[o]);
-        if (table->cell != NULL)
+        }
+        if (table->cell != NULL) {
             free(table->cell[o]);
+        }
     }
     free(table->surface);
     free(table->cell);

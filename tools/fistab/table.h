@@ -49,7 +49,8 @@ void table_coordinates(const struct table *table, size_t cell, size_t *at);
 int table_make(const struct fis *fis, const struct table_options *options, struct table *table);
 void table_free(struct table *table);
 
-/* A value so near a half counts as the half: what a surface of exact halves loses in floating point. */
+/* A value so near a half counts as the half: what a surface of exact halves loses in floating
+ * point. */
 #define TABLE_HALF_WITHIN 1e-9
 
 /* The integer of a surface value: rounded half up. A value within 1e-9 of a half counts as the

@@ -42,9 +42,11 @@ static size_t sort_unique(double *x, size_t count)
     size_t kept = 0;
 
     qsort(x, count, sizeof *x, by_value);
-    for (size_t i = 0; i < count; i++)
-        if (kept == 0 || x[i] > x[kept - 1])
+    for (size_t i = 0; i < count; i++) {
+        if (kept == 0 || x[i] > x[kept - 1]) {
             x[kept++] = x[i];
+        }
+    }
     return kept;
 }
 
@@ -61,10 +63,11 @@ static double change(const struct set *set, double left, double right)
 
     for (int i = 0; i < 100; i++) {
         double middle = left + (right - left) / 2;
-        if (state_at(set, middle) == state)
+        if (state_at(set, middle) == state) {
             left = middle;
-        else
+        } else {
             right = middle;
+        }
     }
     return right;
 }
@@ -83,15 +86,20 @@ static void add_changes(struct list *list, const struct set *set, double min, do
         double width = kink[i + 1] - kink[i];
         double at[3] = {kink[i] + 1e-9 * width, kink[i] + width / 2, kink[i + 1] - 1e-9 * width};
 
-        if (kink[i] < min || kink[i + 1] > max)
+        if (kink[i] < min || kink[i + 1] > max) {
             continue;
-        if (state_at(set, kink[i]) != state_at(set, at[0]))
+        }
+        if (state_at(set, kink[i]) != state_at(set, at[0])) {
             push(list, kink[i]);
-        for (int k = 0; k < 2; k++)
-            if (state_at(set, at[k]) != state_at(set, at[k + 1]))
+        }
+        for (int k = 0; k < 2; k++) {
+            if (state_at(set, at[k]) != state_at(set, at[k + 1])) {
                 push(list, change(set, at[k], at[k + 1]));
-        if (state_at(set, kink[i + 1]) != state_at(set, at[2]))
+            }
+        }
+        if (state_at(set, kink[i + 1]) != state_at(set, at[2])) {
             push(list, kink[i + 1]);
+        }
     }
 }
 
@@ -104,12 +112,14 @@ static void add_zone(struct zones *zones, const struct variable *input, double l
     zone->low = low;
     zone->high = high;
     zone->state = zones->states + zones->count * input->sets;
-    for (size_t k = 0; k < input->sets; k++)
+    for (size_t k = 0; k < input->sets; k++) {
         zone->state[k] = state_at(&input->set[k], x);
-    if (zones->count > 0 && memcmp(zone->state, zone[-1].state, input->sets) == 0)
+    }
+    if (zones->count > 0 && memcmp(zone->state, zone[-1].state, input->sets) == 0) {
         zone[-1].high = high;
-    else
+    } else {
         zones->count++;
+    }
 }
 
 enum zones_status zones_make(const struct variable *input, struct zones *zones)
@@ -120,10 +130,12 @@ enum zones_status zones_make(const struct variable *input, struct zones *zones)
     memset(zones, 0, sizeof *zones);
     push(&cut, input->min);
     push(&cut, input->max);
-    for (size_t k = 0; k < input->sets && !cut.failed; k++)
+    for (size_t k = 0; k < input->sets && !cut.failed; k++) {
         add_changes(&cut, &input->set[k], input->min, input->max);
-    if (cut.failed)
+    }
+    if (cut.failed) {
         goto done;
+    }
     cut.count = sort_unique(cut.x, cut.count);
     if (2 * cut.count * input->sets > STATES_MAX) {
         status = ZONES_TOO_MANY;
@@ -137,8 +149,9 @@ enum zones_status zones_make(const struct variable *input, struct zones *zones)
     }
     for (size_t i = 0; i < cut.count; i++) {
         add_zone(zones, input, cut.x[i], cut.x[i]);
-        if (i + 1 < cut.count)
+        if (i + 1 < cut.count) {
             add_zone(zones, input, cut.x[i], cut.x[i + 1]);
+        }
     }
     status = ZONES_MADE;
 done:

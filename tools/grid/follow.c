@@ -42,8 +42,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
     if (key == 'd' || key == 'e') {
         errno = 0;
         number = strtol(text, &end, 10);
-        if (errno != 0 || end == text || *end != '\0' || number < 1 || number > 3600)
+        if (errno != 0 || end == text || *end != '\0' || number < 1 || number > 3600) {
             argp_error(state, "'%s': give a whole number in 1..3600", text);
+        }
     }
     switch (key) {
     case 'd':
@@ -89,8 +90,9 @@ static double accel_mmps2(void)
 /* Would the start end in contact even if the robot braked fully from the first step on? */
 static bool is_unavoidable(struct robots robots)
 {
-    while (!robots.collided && robots.own_mmps > 0)
+    while (!robots.collided && robots.own_mmps > 0) {
         robots_step(&robots, -ROBOTS_ACCEL_MAX_MMPS2, false);
+    }
     return robots.collided;
 }
 
@@ -118,7 +120,7 @@ int main(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
     follow_init();
     puts("gap_mm,own_mmps,lead_mmps,collided,collided_s,least_gap_m,last_gap_m,unavoidable");
-    for (int start = 0; start < GAPS * OWN_SPEEDS * LEAD_SPEEDS; start += arguments.every)
+    for (int start = 0; start < GAPS * OWN_SPEEDS * LEAD_SPEEDS; start += arguments.every) {
         run(
             (struct robots){
                 .gap_um = (GAP_FIRST_MM + GAP_STEP_MM * (start / LEAD_SPEEDS / OWN_SPEEDS)) * 1000,
@@ -126,5 +128,6 @@ int main(int argc, char **argv)
                 .lead_mmps = LEAD_STEP_MMPS * (start % LEAD_SPEEDS),
             },
             arguments.steps);
+    }
     return ferror(stdout) != 0 || fflush(stdout) != 0 ? EXIT_INPUT : EXIT_FINE;
 }

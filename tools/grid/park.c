@@ -16,8 +16,9 @@ enum { STEPS = 5000 };
 static double firmware_rad(const struct truck *truck)
 {
     /* Out of its frame's range the controller refuses and keeps its wheel. */
-    if (fabs(truck->x_m) * 512 > PARK_X_MAX || truck->y_m * 512 > PARK_Y_MAX)
+    if (fabs(truck->x_m) * 512 > PARK_X_MAX || truck->y_m * 512 > PARK_Y_MAX) {
         return park.theta * 2 * M_PI / 65536;
+    }
     park.x = (int16_t)lround(truck->x_m * 512);
     park.y = (int16_t)lround(truck->y_m * 512);
     park.heading = (uint16_t)lround(truck->heading_rad / (2 * M_PI) * 65536);
@@ -43,17 +44,19 @@ static double published_rad(const struct truck *truck)
 
 static bool parks(struct truck *truck, double (*steer_rad)(const struct truck *truck))
 {
-    for (int i = 0; i < STEPS && hypot(truck->x_m, truck->y_m) < given_up_m; i++)
-        if (truck_step(truck, steer_rad(truck), step_s))
+    for (int i = 0; i < STEPS && hypot(truck->x_m, truck->y_m) < given_up_m; i++) {
+        if (truck_step(truck, steer_rad(truck), step_s)) {
             return truck_is_parked(truck);
+        }
+    }
     return false;
 }
 
 int main(void)
 {
     puts("x_m,y_m,heading_deg,parked,end_x_m,end_turn_deg,parked_float");
-    for (int x = -20; x <= 20; x += 2)
-        for (int y = 2; y <= 30; y += 2)
+    for (int x = -20; x <= 20; x += 2) {
+        for (int y = 2; y <= 30; y += 2) {
             for (int heading = -90; heading <= 240; heading += 30) {
                 struct truck truck = {x, y, heading * degree, 5, 4}, twin = truck;
                 bool parked = parks(&truck, firmware_rad);
@@ -62,5 +65,7 @@ int main(void)
                 printf("%d,%d,%d,%d,%.3f,%.2f,%d\n", x, y, heading, parked, truck.x_m,
                        truck_turn_rad(&truck) / degree, parked_float);
             }
+        }
+    }
     return 0;
 }

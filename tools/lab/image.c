@@ -25,17 +25,21 @@ int image_load(struct image *image, const char *path)
     snprintf(file, sizeof file, "%s%s", strchr(path, '/') == NULL ? "./" : "", path);
     object = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     image->path = path;
-    if (object == NULL)
+    if (object == NULL) {
         return diag_error(path, 0, "cannot load this controller: %s; run make", dlerror());
+    }
     if (!find(object, "brake", &image->brake) || !find(object, "brake_init", &image->init) ||
-        !find(object, "brake_expect", &image->expect) || !find(object, "brake_step", &image->step) ||
-        !find(object, "brake_finish", &image->finish) || !find(object, "brake_tick", &image->tick) ||
+        !find(object, "brake_expect", &image->expect) ||
+        !find(object, "brake_step", &image->step) ||
+        !find(object, "brake_finish", &image->finish) ||
+        !find(object, "brake_tick", &image->tick) ||
         !find(object, "brake_must_stop", &image->must_stop) ||
         !find(object, "range_mm", &image->range_mm) ||
         !find(object, "range_kind", &image->range_kind) ||
-        !find(object, "lab_cells", &image->cells) || !find(object, "lab_load", &load))
+        !find(object, "lab_cells", &image->cells) || !find(object, "lab_load", &load)) {
         return diag_error(path, 0,
                           "no controller of this laboratory; use build/lab-images/NAME.so");
+    }
     load();
     return EXIT_FINE;
 }

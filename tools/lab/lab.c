@@ -31,8 +31,9 @@ static struct scenario situation(double speed_mps, double duration_s)
                                       .max_m = 5,
                                       .delay_us = 450,
                                       .no_echo_us = 38000};
-    for (int i = 0; i < SCENARIO_FAULTS; i++)
+    for (int i = 0; i < SCENARIO_FAULTS; i++) {
         scenario.faults[i] = (struct fault){.kind = -1, .for_s = SCENARIO_UNSET, .scale = 1};
+    }
     scenario.override.from_s = SCENARIO_UNSET;
     scenario.uart.at_s = SCENARIO_UNSET;
     return scenario;
@@ -48,8 +49,9 @@ static void add(struct figures *figures, const struct image *image, const struct
     loop_run(image, scenario, (uint64_t)run + 1, STEP_US, &outcome);
     gap_m = value[METRIC_IMPACT] > 0 ? -value[METRIC_IMPACT_MPS] * value[METRIC_IMPACT_MPS] / 16
                                      : value[METRIC_MIN_GAP];
-    if (run == 0)
+    if (run == 0) {
         *figures = (struct figures){.runs = runs, .gap_min_m = INFINITY};
+    }
     figures->impacts += value[METRIC_IMPACT] > 0;
     figures->gap_min_m = fmin(figures->gap_min_m, gap_m);
     figures->gap_mean_m += part * gap_m;
@@ -111,8 +113,9 @@ struct figures lab_stop_and_go(const struct image *image, double driver_mps2, in
         scenario.lead.profile[i].speed_mps = speed_mps[i % 4];
     }
     scenario.lead.points = 12;
-    for (int run = 0; run < runs; run++)
+    for (int run = 0; run < runs; run++) {
         add(&figures, image, &scenario, run, runs);
+    }
     return figures;
 }
 
@@ -130,10 +133,12 @@ static void print_limits(FILE *out, const struct image *image, int runs)
         struct figures figures = lab_standing(image, k * step_mps, runs);
 
         is_safe = is_safe && figures.impacts == 0;
-        if (is_safe)
+        if (is_safe) {
             safe_mps = k * step_mps;
-        if (2 * figures.impacts <= runs)
+        }
+        if (2 * figures.impacts <= runs) {
             median_mps = k * step_mps;
+        }
     }
     fprintf(out,
             "  standing car: no impact in %d runs up to %.1f m/s, in half of them up to %.1f m/s\n",
@@ -144,9 +149,10 @@ static void print_image(FILE *out, const struct image *image, int runs)
 {
     fprintf(out, "%s\n", image->path);
     print_limits(out, image, runs);
-    for (double speed_mps = 6.2; speed_mps < 6.9; speed_mps += 0.2)
+    for (double speed_mps = 6.2; speed_mps < 6.9; speed_mps += 0.2) {
         fprintf(out, "  standing car, %.1f m/s: %d impacts in %d runs\n", speed_mps,
                 lab_standing(image, speed_mps, 1000).impacts, 1000);
+    }
     for (int speed_mps = 1; speed_mps <= 6; speed_mps++) {
         struct figures f = lab_standing(image, speed_mps, runs);
 
@@ -176,6 +182,7 @@ static void print_image(FILE *out, const struct image *image, int runs)
 
 void lab_print(FILE *out, const struct image *images, int count, int runs)
 {
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         print_image(out, &images[i], runs);
+    }
 }

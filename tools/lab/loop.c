@@ -24,7 +24,8 @@ struct loop {
     const struct image *image;
     const struct world_class *class;
     struct world *world;
-    /* PWM: two interrupts a period, the duty taken in the second, or after it while there is time */
+    /* PWM: two interrupts a period, the duty taken in the second, or after it while there is time
+     */
     int64_t interrupt_ns;
     bool is_second;
     uint8_t duty_pct, next_pct;
@@ -66,8 +67,9 @@ static void apply(struct loop *loop, int64_t t_ns)
 {
     set_pin(loop, t_ns, PIN_STOP, &loop->stop_level, loop->image->brake->stop);
     loop->next_pct = loop->image->brake->brake_pct;
-    if (!loop->is_second && loop->interrupt_ns - t_ns >= HAND_OVER_NS)
+    if (!loop->is_second && loop->interrupt_ns - t_ns >= HAND_OVER_NS) {
         loop->duty_pct = loop->next_pct;
+    }
 }
 
 static void control_step(struct loop *loop, int64_t t_ns, uint8_t kind, uint16_t dist_mm)
@@ -92,8 +94,9 @@ static void echo_changed(struct loop *loop, int64_t t_ns, bool level)
         loop->has_risen = true;
         return;
     }
-    if (!loop->is_measuring || !loop->has_risen)
+    if (!loop->is_measuring || !loop->has_risen) {
         return;
+    }
     ticks = (t_ns - loop->rise_ns) / 1000;
     dist_mm = loop->image->range_mm((uint16_t)(ticks > UINT16_MAX ? UINT16_MAX : ticks));
     kind = loop->image->range_kind(dist_mm);
@@ -106,13 +109,16 @@ static void tick(struct loop *loop, int64_t t_ns)
     bool high = true;
 
     loop->image->tick(loop->held);
-    if (loop->duty_ns == NEVER)
+    if (loop->duty_ns == NEVER) {
         apply(loop, t_ns);
-    if (--loop->until_trigger != 0)
+    }
+    if (--loop->until_trigger != 0) {
         return;
+    }
     loop->until_trigger = TRIGGER_TICKS;
-    if (loop->is_measuring)
+    if (loop->is_measuring) {
         control_step(loop, t_ns, loop->has_risen ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN, 0);
+    }
     loop->is_measuring = true;
     loop->has_risen = loop->echo_level;
     if (t_ns > 0) { /* the first one begins the scenario */
@@ -130,10 +136,11 @@ static void take_inputs(struct loop *loop, int64_t t_ns)
     bool level;
 
     while (loop->class->next_input(loop->world, t_ns, &at_ns, &pin, &level)) {
-        if (pin == PIN_ECHO)
+        if (pin == PIN_ECHO) {
             echo_changed(loop, at_ns, level);
-        else
+        } else {
             loop->held = !level;
+        }
     }
 }
 
@@ -146,23 +153,28 @@ static int64_t run_until(struct loop *loop, int64_t end_ns)
         int64_t next_ns = job_ns < loop->interrupt_ns ? job_ns : loop->interrupt_ns, mark_ns;
 
         take_inputs(loop, next_ns);
-        if (loop->stop_ns < next_ns)
+        if (loop->stop_ns < next_ns) {
             next_ns = loop->stop_ns;
-        if (loop->duty_ns < next_ns)
+        }
+        if (loop->duty_ns < next_ns) {
             next_ns = loop->duty_ns;
+        }
         mark_ns = loop->class->mark_ns(loop->world);
-        if (mark_ns < next_ns)
+        if (mark_ns < next_ns) {
             next_ns = mark_ns;
-        if (next_ns >= end_ns)
+        }
+        if (next_ns >= end_ns) {
             break;
+        }
         loop->class->advance(loop->world, next_ns);
         if (loop->class->is_over(loop->world)) {
             end_ns = next_ns;
             break;
         }
         if (next_ns == loop->stop_ns) {
-            if (loop->image->brake->stop)
+            if (loop->image->brake->stop) {
                 apply(loop, next_ns);
+            }
             loop->stop_ns = NEVER;
         } else if (next_ns == loop->duty_ns) {
             apply(loop, next_ns);

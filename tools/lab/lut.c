@@ -12,9 +12,11 @@ uint8_t lab_cells[LUT_IN1_CELLS][LUT_IN2_CELLS];
 
 void lab_load(void)
 {
-    for (unsigned row = 0; row < LUT_IN1_CELLS; row++)
-        for (unsigned col = 0; col < LUT_IN2_CELLS; col++)
+    for (unsigned row = 0; row < LUT_IN1_CELLS; row++) {
+        for (unsigned col = 0; col < LUT_IN2_CELLS; col++) {
             lab_cells[row][col] = lut_out1[row][col];
+        }
+    }
 }
 
 uint8_t lut_at(uint8_t row, uint8_t col)

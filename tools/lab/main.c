@@ -40,8 +40,9 @@ static long count(struct argp_state *state, const char *option, const char *text
 
     errno = 0;
     value = strtol(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || value < low || value > 1000000)
+    if (errno != 0 || end == text || *end != '\0' || value < low || value > 1000000) {
         argp_error(state, "--%s=%s: give a whole number in %ld..1000000", option, text, low);
+    }
     return value;
 }
 
@@ -54,8 +55,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         arguments->scenario = text;
         return 0;
     case OPT_SET:
-        if (arguments->setting_count == SETTINGS)
+        if (arguments->setting_count == SETTINGS) {
             argp_error(state, "more than %d --set; write a scenario file", SETTINGS);
+        }
         arguments->settings[arguments->setting_count++] = text;
         return 0;
     case OPT_SEED:
@@ -71,8 +73,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         arguments->output = text;
         return 0;
     case ARGP_KEY_ARG:
-        if (arguments->word_count == WORDS)
+        if (arguments->word_count == WORDS) {
             argp_error(state, "too many arguments");
+        }
         arguments->words[arguments->word_count++] = text;
         return 0;
     default:
@@ -101,17 +104,20 @@ static int command_run(const struct image *image, const struct arguments *argume
     struct outcome outcome;
 
     if (scenario_read(&scenario, arguments->scenario, (char *const *)arguments->settings,
-                      arguments->setting_count) != EXIT_FINE)
+                      arguments->setting_count) != EXIT_FINE) {
         return EXIT_INPUT;
-    if (scenario.world != WORLD_BRAKE)
+    }
+    if (scenario.world != WORLD_BRAKE) {
         return diag_error(arguments->scenario, 0,
                           "app = %s; the laboratory has the brake's world alone, so use drive",
                           scenario.app);
+    }
     loop_run(image, &scenario,
              arguments->seed >= 0 ? (uint64_t)arguments->seed : (uint64_t)scenario.seed, 1000,
              &outcome);
-    for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++)
+    for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
         printf("%s %.4f\n", expect_name(shown[i]), outcome.values[shown[i]]);
+    }
     return EXIT_FINE;
 }
 
@@ -134,15 +140,19 @@ int main(int argc, char **argv)
             "say what to do: run, figures or tune, and with which controllers; see lab --help");
         return EXIT_USAGE;
     }
-    for (int i = 0; i < count_of_images; i++)
-        if (image_load(&images[i], arguments.words[i + 1]) != EXIT_FINE)
+    for (int i = 0; i < count_of_images; i++) {
+        if (image_load(&images[i], arguments.words[i + 1]) != EXIT_FINE) {
             return EXIT_INPUT;
-    if (strcmp(command, "run") == 0)
+        }
+    }
+    if (strcmp(command, "run") == 0) {
         return command_run(&images[0], &arguments);
-    if (strcmp(command, "tune") == 0)
+    }
+    if (strcmp(command, "tune") == 0) {
         return lab_tune(&images[0], &images[1],
                         arguments.seed >= 0 ? (unsigned long)arguments.seed : 1, arguments.rounds,
                         arguments.output);
+    }
     lab_print(stdout, images, count_of_images, (int)arguments.runs);
     return EXIT_FINE;
 }

@@ -60,10 +60,12 @@ static void write_fis(FILE *out, const double *p)
             p[FAIRLY_SMALL] - 1, p[FAIRLY_SMALL], p[FAIRLY_SMALL] + 1, p[MODERATE] - 1, p[MODERATE],
             p[MODERATE] + 1, p[FAIRLY_LARGE] - 1, p[FAIRLY_LARGE], p[FAIRLY_LARGE] + 1);
     fprintf(out, "%% distance, closing speed, brake\n[Rules]\n");
-    for (int speed = 1; speed <= 4; speed++)
-        for (int distance = 1; distance <= 4; distance++)
+    for (int speed = 1; speed <= 4; speed++) {
+        for (int distance = 1; distance <= 4; distance++) {
             fprintf(out, "%d %d, %d (1) : 1\n", distance, speed,
                     speed - distance >= 0 ? 4 : 4 + speed - distance);
+        }
+    }
 }
 
 /* Puts the table of these parameters into the image. Returns how many neighbours are in the wrong
@@ -77,17 +79,19 @@ static int put_table(const struct image *image, const double *p)
     struct fis fis;
     int wrong = 0;
 
-    if (stream == NULL)
+    if (stream == NULL) {
         return -1;
+    }
     write_fis(stream, p);
     fclose(stream);
-    if (fis_parse("tuned", text, strlen(text), &fis) != EXIT_FINE)
+    if (fis_parse("tuned", text, strlen(text), &fis) != EXIT_FINE) {
         return -1;
+    }
     if (table_make(&fis, &options, &table) != EXIT_FINE) {
         fis_free(&fis);
         return -1;
     }
-    for (int row = 0; row < IMAGE_CELLS; row++)
+    for (int row = 0; row < IMAGE_CELLS; row++) {
         for (int col = 0; col < IMAGE_CELLS; col++) {
             int cell = table.cell[0][row * IMAGE_CELLS + col];
 
@@ -95,6 +99,7 @@ static int put_table(const struct image *image, const double *p)
             wrong += row > 0 && image->cells[row - 1][col] < cell;
             wrong += col > 0 && image->cells[row][col - 1] > cell;
         }
+    }
     table_free(&table);
     fis_free(&fis);
     return wrong;
@@ -131,10 +136,11 @@ static double cost_of_comfort(const struct image *image)
         struct figures f = lab_standing(image, low_mps(k), 24);
 
         cost += 8 * fmax(1.12 - f.gap_min_m, 0) + 0.05 * fmax(f.gap_mean_m - 2, 0);
-        if (k < GENTLE_SPEEDS)
+        if (k < GENTLE_SPEEDS) {
             cost += 0.03 * fmax(f.jerk_mean_mps3 - gentle[k].jerk_mean_mps3, 0) +
                     0.3 * fmax(f.decel_mean_mps2 - gentle[k].decel_mean_mps2, 0) +
                     0.01 * f.decel_mean_mps2;
+        }
     }
     return cost;
 }
@@ -158,8 +164,9 @@ static double cost_of(const struct image *image, const double *p)
 {
     int wrong = put_table(image, p);
 
-    if (wrong < 0)
+    if (wrong < 0) {
         return INFINITY;
+    }
     return 0.003 * wrong + cost_of_standing(image) + cost_of_comfort(image) + cost_of_leads(image) +
            cost_of_following(image);
 }
@@ -173,8 +180,9 @@ static void tidy(double *p)
     for (int i = 0; i < PARAMETERS; i++) {
         double low = parameter[i].low;
 
-        if (i != NEAR && i != SMALL && i != FAIRLY_SMALL)
+        if (i != NEAR && i != SMALL && i != FAIRLY_SMALL) {
             low = fmax(low, p[i - 1] + (i > LARGE ? 3 : 0.3));
+        }
         p[i] = fmin(fmax(p[i], low), parameter[i].high);
         p[i] = round(p[i] / parameter[i].grid) * parameter[i].grid;
     }
@@ -188,18 +196,22 @@ int lab_tune(const struct image *image, const struct image *reference, unsigned 
     struct outfile out;
 
     random_seed(&random, seed);
-    for (int k = 0; k < GENTLE_SPEEDS; k++)
+    for (int k = 0; k < GENTLE_SPEEDS; k++) {
         gentle[k] = lab_standing(reference, low_mps(k), 24);
-    for (int i = 0; i < PARAMETERS; i++)
+    }
+    for (int i = 0; i < PARAMETERS; i++) {
         best[i] = parameter[i].start;
+    }
     best_cost = cost_of(image, best);
     for (long round = 1; round <= rounds; round++) {
         double cost;
 
         memcpy(trial, best, sizeof trial);
-        for (int i = 0; i < PARAMETERS; i++)
-            if (random_uniform(&random) < 0.4)
+        for (int i = 0; i < PARAMETERS; i++) {
+            if (random_uniform(&random) < 0.4) {
                 trial[i] += random_normal(&random) * parameter[i].step * reach;
+            }
+        }
         tidy(trial);
         cost = cost_of(image, trial);
         reach = cost < best_cost ? fmin(reach * 1.3, 1.2) : fmax(reach * 0.985, 0.15);
@@ -209,8 +221,9 @@ int lab_tune(const struct image *image, const struct image *reference, unsigned 
             fprintf(stderr, "%ld: %.4f\n", round, cost);
         }
     }
-    if (outfile_open(&out, path) != EXIT_FINE)
+    if (outfile_open(&out, path) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
     write_fis(out.stream, best);
     return outfile_commit(&out);
 }

@@ -1,5 +1,5 @@
-/* A controller that measures nothing and misbehaves in one way, chosen by a macro, to see what drive
- * makes of it. Otherwise: brake released, a trigger pulse every 60 ms. */
+/* A controller that measures nothing and misbehaves in one way, chosen by a macro, to see what
+ * drive makes of it. Otherwise: brake released, a trigger pulse every 60 ms. */
 #include <8052.h>
 #include <stdint.h>
 
@@ -61,8 +61,9 @@ void main(void)
     RCAP2H = 0xFF;
     RCAP2L = 0xD9;
 #ifdef SILENT
-    while (now() != 0xFFFF)
+    while (now() != 0xFFFF) {
         feed();
+    }
 #endif
     wait_until(next);
     PWM = 0;
@@ -74,17 +75,20 @@ void main(void)
         TRIGGER = 0;
         round++;
 #ifdef HANG
-        if (round == 10)
+        if (round == 10) {
             for (;;)
                 ;
+        }
 #endif
 #ifdef POWER_DOWN
-        if (round == 10)
+        if (round == 10) {
             PCON |= 2;
+        }
 #endif
 #ifdef HURRY
-        if (round == 10) /* far earlier than ever before */
+        if (round == 10) { /* far earlier than ever before */
             next -= 4;
+        }
 #endif
         next += 6;
         wait_until(next);

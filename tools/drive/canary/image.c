@@ -21,8 +21,9 @@ static void put_decimal(uint16_t number)
 {
     uint16_t unit = 10000;
 
-    for (; unit > 0; unit /= 10)
+    for (; unit > 0; unit /= 10) {
         put('0' + (char)(number / unit % 10));
+    }
     put('\n');
 }
 
