@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a make target needs and the machine lacks; says what it does; does nothing when all
 # is there. Packages come from the machine's own Debian sources by name. `make` calls it; by hand:
-#     tools/deps.sh [build|demo|test|bench|fuzz|report|golden|format|flash]...
+#     tools/deps.sh [build|demo|test|bench|fuzz|report|golden|format|lint|flash]...
 set -eu
 cd "$(dirname "$0")/.."
 unity=build/deps/unity
@@ -17,9 +17,10 @@ packages_for() {
     report) echo "$build gnuplot-nox parallel rsync" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
     format) echo "clang-format-19" ;;
+    lint) echo "$build shellcheck cppcheck" ;;
     flash) echo "avrdude pipx" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, test, bench, fuzz, report, golden, format or flash" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, test, bench, fuzz, report, golden, format, lint or flash" >&2
         exit 2
         ;;
     esac

@@ -1,4 +1,5 @@
-# Any 8052 with 32 KB of code, at the crystal that most UART boards carry; no watchdog.
+# Any 8052 with 32 KB of code, at the crystal that most UART boards carry; no watchdog. It has no
+# flasher: give the command of yours, FLASH='mytool $(HEX)'.
 CHIP       := 8052
 S51_TYPE   := C52
 CLK_HZ     := 11059200
@@ -6,21 +7,4 @@ CODE_BYTES := 32768
 IRAM_BYTES := 256
 ENCODING   := plain
 WATCHDOG   := none
-FAULT_PCT  := 60
-APPS       := brake tuned classic first none radar gap follow park
-
-# Pins by their bit address: 0x90 is P1.0, 0xB2 is P3.2. All are high during reset, which is full
-# brake and stop, throttle cut, lamp and buzzer off, no lane asked for. The echo must be P3.2: it gates timer 0.
-PIN_PWM      := 0x90
-PIN_STOP     := 0x91
-PIN_TRIGGER  := 0x92
-PIN_LAMP     := 0x93
-PIN_BUZZER   := 0x94
-PIN_SERVO    := 0x95
-PIN_CUT      := 0x96
-PIN_LANE     := 0x97
-PIN_ECHO     := 0xB2
-PIN_OVERRIDE := 0xB3
-
-# No chip, so no flasher: give the command of yours, FLASH='mytool $(HEX)'.
-FLASH     ?=
+BOARD_FAULT_PCT := 60

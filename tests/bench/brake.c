@@ -1,4 +1,4 @@
-/* Times the brake's control step as it ships, from the end of an echo to the duty set: apps/brake.c
+/* Times the brake's control step as it ships, from the end of an echo to the duty set: brake/main.c
  * but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps, clear roads,
  * missing, stuck and stray echoes, the dead zone, longer pauses and the override; what never came
  * of states and faults are the misses. */
@@ -9,7 +9,7 @@
 uint16_t bench_ticks(void);
 #define hal_echo_ticks bench_ticks
 #define main           brake_main
-#include "../../firmware/apps/brake.c"
+#include "../../firmware/brake/main.c"
 
 const uint16_t __code bench_steps = 4000;
 #define PLAIN_CS 6U

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The two estimators of firmware/core/closing.h in the loop: what noise and missing readings make of the
+# The two estimators of firmware/brake/closing.h in the loop: what noise and missing readings make of the
 # closing speed and of the brake, beside what a floating-point study of this loop came to.
 #     tests/bench/estimator.sh [BOARD]     after `make`; BOARD: stc89c516rd
 # Builds both images (ESTIMATOR=difference, smooth) under build/bench/estimator and runs them under drive,
@@ -18,7 +18,7 @@
 #   changes      of the brake by more than 2 or 3 points from the last one counted, at the worst gap
 #   wild         most that the brake rises and falls in 0.8 s, against the same run without that reading
 #
-# Where the study's figures differ: it has no slack in rows and columns (firmware/core/brake.h), which takes the
+# Where the study's figures differ: it has no slack in rows and columns (firmware/brake/brake.h), which takes the
 # noise from a brake that holds, and its brake is not rounded to 1 %; its five cases are not told. What is left
 # of changes comes from missing readings: beyond 4 m two in a row are a target that left (brake.h).
 #

@@ -14,7 +14,7 @@ work=build/bench/firmware
 FRAMES=80
 mkdir -p "$work"
 
-apps() { awk '$1 == "APPS" { for (i = 3; i <= NF; i++) print $i }' "firmware/boards/$1.mk"; } # BOARD
+apps() { basename -s .ihx "build/$1"/*.ihx; } # BOARD
 is_brake() { case $1 in brake | tuned | classic | first | none) ;; *) false ;; esac; }
 
 # --- measuring: of each controller a file of "name value" lines ------------------------------------
@@ -111,7 +111,7 @@ run_brake() { # BOARD APP
 run_frames() { # BOARD APP
     local kinds=(radar gap follow park) family=${2%%_*} kind=0 bytes per_second=200
     while [ "${kinds[kind]}" != "$family" ]; do kind=$((kind + 1)); done
-    bytes=$(awk '$2 ~ /_PAYLOAD_BYTES$/ { print $3 }' "firmware/core/$family.h")
+    bytes=$(awk '$2 ~ /_PAYLOAD_BYTES$/ { print $3 }' "firmware/$family/$family.h")
     [ "$family" = radar ] || per_second=300 # the servo's
     S51_TYPES=1 s51_start "$1" "build/$1/$2.ihx"
     s51_until 400000

@@ -87,7 +87,7 @@ printf '    %-28s %6s %6s %12s %6s\n' encoding table code "look-up, mc" call
 for case in plain packed plain-repaired packed-repaired; do
     # bytes N least N most N call N ...
     read -r _ bytes _ least _ most _ call _ < <(tests/lut/run.sh "build/lut/$case")
-    code=$(awk '$1 == "A" && $2 == "CSEG" { print $4 }' "build/lut/$case/firmware/core/lut.rel")
+    code=$(awk '$1 == "A" && $2 == "CSEG" { print $4 }' "build/lut/$case/firmware/lib/lut.rel")
     printf '    %-28s %6d %6d %12s %6d\n' "$case" "$bytes" "$((16#$code))" "$least to $most" "$call"
     case $case in
     packed*) [ "$bytes" -le 2700 ] && [ "$most" -le 120 ] && [ $((most - least)) -le 20 ] || missed=1 ;;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include "frames.h"
 #include "step.h"
-#include "tools/drive/head.h"
+#include "head.h"
 
 uint8_t frame_body[FRAME_BODY_MAX];
 

@@ -44,4 +44,4 @@ static bool uart_ready(void)
 
 #define hal_brake_set  brake_set_not
 #define hal_uart_ready uart_ready
-#include "../../firmware/apps/brake.c"
+#include "../../firmware/brake/main.c"

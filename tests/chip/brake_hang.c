@@ -11,4 +11,4 @@ static bool hang_when_held(void)
 }
 
 #define hal_override_held hang_when_held
-#include "../../firmware/apps/brake.c"
+#include "../../firmware/brake/main.c"

@@ -10,4 +10,4 @@ static bool overflow_when_held(void)
 }
 
 #define hal_override_held overflow_when_held
-#include "../../firmware/apps/brake.c"
+#include "../../firmware/brake/main.c"

@@ -159,7 +159,7 @@ s51_answers() { # CELL FILE
 
 # The byte that brake.c counts its control steps with, right after the duty is set.
 s51_steps_cell() { # BOARD APP
-    awk '$NF == "_seq:" { print "iram[0x" tolower(substr($1, 5)) "]"; exit }' "build/$1/$2/apps/brake.rst"
+    awk '$NF == "_seq:" { print "iram[0x" tolower(substr($1, 5)) "]"; exit }' "build/$1/$2/brake/main.rst"
 }
 
 s51_stop() {

@@ -61,7 +61,7 @@ check "a_good_image_shows_no_fault" [ -z "$(grep -E 'FAULT,([89]|1[01])' "$dir/s
 s51_clean
 
 # The table's bytes lie in lut's constants.
-address=$(awk '$NF == "_lut_out1:" { print $1; exit }' "build/$board/brake/core/lut.rst")
+address=$(awk '$NF == "_lut_out1:" { print $1; exit }' "build/$board/brake/lib/lut.rst")
 awk -v "address=$((16#$address + 1000))" -f tests/chip/flip_byte.awk "build/$board/brake.ihx" >"$dir/flipped.ihx"
 check "one_bit_of_the_table_is_flipped" [ "$(cmp -l "build/$board/brake.ihx" "$dir/flipped.ihx" | wc -l)" -ge 2 ]
 run "$dir/flipped.ihx" ""

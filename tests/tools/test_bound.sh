@@ -27,7 +27,7 @@ refuses "a stack that does not fit" 1 'ihx: error: the stack may take [0-9]* byt
     --iram=$((256 - $(awk '$1 == "stack:" { print $6 }' "$board/gap.bound") + 19)) "$board/gap.ihx"
 refuses "an image that is not there" 1 'nosuch.ihx: error: cannot read the image' "$out/nosuch.ihx"
 refuses "a listing that is not there" 1 'nosuch.rst: error: cannot read the listing' "$board/gap.ihx" "$out/nosuch.rst"
-refuses "a listing of another image" 1 'frame.rst:[0-9]*: error: .*link the image again' "$board/gap.ihx" "$board/follow/core/frame.rst"
+refuses "a listing of another image" 1 'frame.rst:[0-9]*: error: .*link the image again' "$board/gap.ihx" "$board/follow/frames/frame.rst"
 refuses "a function that is not there" 1 "no function 'nosuch'" --cycles=nosuch "$board/gap.ihx" "$board/gap.map"
 refuses "a loop that no line bounds" 1 'a loop without a bound; write /\* rounds: N \*/' --cycles=hal_trigger "$board/gap.ihx" "$board/gap.map"
 refuses "no image" 2 'Usage'

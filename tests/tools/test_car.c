@@ -1,5 +1,5 @@
 /* Under test: tools/drive/car.c, the plant, against hand calculation and a plain fine Euler sum. */
-#include "drive/car.h"
+#include "car.h"
 
 #include <math.h>
 #include <string.h>

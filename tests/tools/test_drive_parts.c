@@ -1,11 +1,11 @@
 /* Under test: what drive reads off the controller and judges by: pwm.c, telemetry.c, expect.c,
  * hexfile.c, board.c, and the grid of s51.c. */
-#include "drive/board.h"
-#include "drive/expect.h"
+#include "board.h"
+#include "expect.h"
 #include "common/hexfile.h"
-#include "drive/pwm.h"
-#include "drive/s51.h"
-#include "drive/telemetry.h"
+#include "pwm.h"
+#include "s51.h"
+#include "telemetry.h"
 
 #include "common/diag.h"
 

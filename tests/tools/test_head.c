@@ -1,8 +1,8 @@
 /* Under test: tools/drive/head.c against the receiver of firmware/core: the two were written apart.
  */
-#include "drive/head.h"
+#include "head.h"
 
-#include "../../firmware/core/frame.c"
+#include "../../firmware/frames/frame.c"
 
 #include <string.h>
 #include <unity.h>

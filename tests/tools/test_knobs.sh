@@ -16,10 +16,10 @@ refuses() { # NAME, TEXT, COMMAND...: fails, and TEXT is in the first line that 
 }
 refuses "an estimator that is not there" "no estimator 'nosuch'; use difference or smooth" make ESTIMATOR=nosuch
 refuses "a table that is not there" "no file 'nosuch.fis'; TABLE names the brake's fuzzy system" make TABLE=nosuch.fis
-refuses "a board that lacks a pin" "firmware/boards/at89s52.mk: error: a board states PIN_NOSUCH := ..., as the others do" make -W Makefile DRIVE_PINS=NOSUCH build/boards.h
-refuses "an app that is not there" "board at89s52 has no app 'nosuch'; its apps are: brake tuned" make flash BOARD=at89s52 PORT=/dev/x APP=nosuch
+refuses "a board that lacks a pin" "firmware/boards/at89s52.mk: error: a board states PIN_NOSUCH := ..., as the others do" make -W tools/drive/rules.mk PINS=NOSUCH build/boards.h
+refuses "an app that is not there" "no app 'nosuch'; the apps are: brake tuned" make flash BOARD=at89s52 PORT=/dev/x APP=nosuch
 
-law=(make BOARD=generic8052 OUT="$out" "$out/brake/core/law_fuzzy.rel" "$out/brake/core/cell.rel")
+law=(make BOARD=generic8052 OUT="$out" "$out/brake/brake/law_fuzzy.rel" "$out/brake/brake/cell.rel")
 refuses "a table of three inputs" "the brake needs a table of two inputs: distance in m, closing speed in m/s" "${law[@]}" TABLE=tables/follow.fis
 refuses "a table of one input" "the brake needs a table of two inputs" "${law[@]}" TABLE=tables/park.fis
 sed '/^\[Input2\]/,$!{s/Range=\[1 5\]/Range=[100 500]/; s/\[\([0-9]\) \([0-9]\) \([0-9]\)/[\100 \200 \300/; s/00 \([0-9]\)\]/00 \100]/}' tables/brake.fis >"$out/cm.fis"

@@ -1,5 +1,5 @@
 /* The robots' plant against the closed form, its limits, and a change of lanes. */
-#include "drive/robots.h"
+#include "robots.h"
 #include "unity.h"
 
 void setUp(void)

@@ -1,6 +1,6 @@
 /* Under test: tools/drive/sonar.c, the sensor and its faults; figures from the HC-SR04 data sheet.
  */
-#include "drive/sonar.h"
+#include "sonar.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Under test: tools/drive/trace.c, the files that a run leaves. */
-#include "drive/trace.h"
+#include "trace.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Under test: tools/drive/vcd.c, the reader of s51's value change dump. The sample is what uCsim
  * 0.6.4 writes. */
-#include "drive/vcd.h"
+#include "vcd.h"
 
 #include <string.h>
 #include <unity.h>

@@ -7,14 +7,14 @@
 #undef CLK_HZ
 #define CLK_HZ   12000000UL
 #define range_mm range_mm_12000000
-#include "../../firmware/core/range.c"
+#include "../../firmware/brake/range.c"
 #undef CLK_HZ
 #undef MM_PER_TICK_2E16
 #undef range_mm
 #define CLK_HZ   11059200UL
 #define range_mm range_mm_11059200
 uint16_t range_mm(uint16_t ticks);
-#include "../../firmware/core/range.c"
+#include "../../firmware/brake/range.c"
 
 void setUp(void)
 {

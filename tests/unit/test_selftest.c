@@ -8,7 +8,7 @@ static uint16_t seen_bytes;
 static uint16_t wrong_at = 0xFFFFU;
 static uint16_t fake_crc16(uint16_t crc, uint16_t offset, uint8_t count);
 #define lut_crc16 fake_crc16
-#include "../../firmware/core/selftest.c"
+#include "../../firmware/lib/selftest.c"
 #undef lut_crc16
 
 static uint16_t fake_crc16(uint16_t before, uint16_t start, uint8_t count)

@@ -1,9 +1,9 @@
-/* A controller as a program of the host: firmware/core with the settings of one image, in a shared
+/* A controller as a program of the host: the brake with the settings of one image, in a shared
  * object, so that several can be in one process. */
 #ifndef FUZZY51_IMAGE_H
 #define FUZZY51_IMAGE_H
 
-#include "../../firmware/core/brake.h"
+#include "../../firmware/brake/brake.h"
 
 enum { IMAGE_CELLS = 100 }; /* along either input */
 

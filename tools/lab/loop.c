@@ -2,7 +2,7 @@
 
 #include "world.h"
 
-#include "../../firmware/core/range.h"
+#include "../../firmware/brake/range.h"
 
 #include <math.h>
 #include <string.h>

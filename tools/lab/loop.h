@@ -1,5 +1,5 @@
 /* The closed loop without the simulator: a controller on the host in drive's own world. The
- * schedule of firmware/apps/brake.c and the latencies of the chip are modelled, the controller and
+ * schedule of firmware/brake/main.c and the latencies of the chip are modelled, the controller and
  * the world are the real ones; tests/tools/test_lab.sh holds it against s51. */
 #ifndef FUZZY51_LOOP_H
 #define FUZZY51_LOOP_H

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The frames of firmware/core/frame.h and park.h. */
+/* The frames of firmware/frames/frame.h and park.h. */
 enum { KIND = 4, PAYLOAD_BYTES = 6 };
 static const double unit_per_m = 512, turn = 65536;
 

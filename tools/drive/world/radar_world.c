@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The frames of firmware/core/frame.h and radar.h. */
+/* The frames of firmware/frames/frame.h and radar.h. */
 enum { KIND = 1, PAYLOAD_BYTES = 13, FLAG_TARGET = 1, FLAG_SIGNED = 2 };
 
 /* The front end: carrier, sweep from peak to peak, duration of a triangle. */

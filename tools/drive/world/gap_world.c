@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* The frames of firmware/core/frame.h and gap.h: lengths in cm, speeds in cm/s. */
+/* The frames of firmware/frames/frame.h and gap.h: lengths in cm, speeds in cm/s. */
 enum { KIND = 2, PAYLOAD_BYTES = 8, GAP_MAX = 25000, SPEED_MAX = 5000, ACCEL_MAX = 1500 };
 
 static const double slope_s = 0.001; /* over which the head takes the lead's acceleration */

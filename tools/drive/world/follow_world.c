@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The frames of firmware/core/frame.h and follow.h: lengths in mm, speeds in mm/s. */
+/* The frames of firmware/frames/frame.h and follow.h: lengths in mm, speeds in mm/s. */
 enum { KIND = 3, PAYLOAD_BYTES = 7, GAP_MAX_MM = 20000, SPEED_MAX_MMPS = 2500 };
 
 struct world {

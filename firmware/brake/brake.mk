@@ -1,0 +1,28 @@
+# The brake. One image a law (law.h): `brake` is the published table, the others are there to compare
+# with. For each image: its table, how fistab makes that table, SDCC's flags, and the modules, the one
+# with main first, as SDCC's manual asks. Each carries a table, so that all start alike.
+IMAGES_OF_brake := brake tuned classic first none
+
+BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake closing range) mcu/echo mcu/uart
+BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(REPAIR:%=--repair=%)
+# The functions whose worst time build/BOARD/APP.bound states.
+BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_stack_is_good apply show
+
+brake_TABLE   := $(TABLE)
+brake_FISTAB   = $(BRAKE_FISTAB)
+brake_MODULES := $(BRAKE_MODULES) brake/law_fuzzy brake/cell
+
+tuned_TABLE   := tables/brake_tuned.fis
+tuned_FISTAB   = --encoding=$(ENCODING)
+tuned_FLAGS   := -DESTIMATOR_smooth
+tuned_MODULES := $(BRAKE_MODULES) brake/law_tuned brake/cell brake/ease
+
+none_FLAGS    := -DBRAKE_STOP_MM=0U -UFAULT_PCT -DFAULT_PCT=0
+
+define brake_law
+$(1)_TABLE    := $(TABLE)
+$(1)_FISTAB    = $$(BRAKE_FISTAB)
+$(1)_MODULES  := $(BRAKE_MODULES) brake/law_$(1)
+endef
+$(foreach law,classic first none,$(eval $(call brake_law,$(law))))
+$(foreach image,$(IMAGES_OF_brake),$(eval $(image)_CYCLES := $(BRAKE_CYCLES)))

@@ -1,0 +1,8 @@
+# The gap controller: keeps the safe distance to the car ahead.
+IMAGES_OF_gap := gap
+
+gap_TABLE   := tables/gap.fis
+gap_FISTAB  := --nodes --grid=33x33 --levels=200
+gap_FLAGS   := -DSERVO
+gap_CYCLES  := $(FRAME_CYCLES)
+gap_MODULES := $(FRAME_MODULES) gap/main gap/gap lib/mul_u16 mcu/servo

@@ -1,0 +1,84 @@
+# Firmware: for each board and each image of each controller, build/BOARD/IMAGE.ihx, .hex, .map, .mem
+# and .bound.
+
+# A controller is a folder with a main.c and a NAME.mk, which says what its images are made of.
+LIB_MODULES := $(addprefix lib/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
+CONTROLLERS := $(patsubst firmware/%/main.c,%,$(wildcard firmware/*/main.c))
+include firmware/pins.mk firmware/frames/frames.mk $(foreach name,$(CONTROLLERS),firmware/$(name)/$(name).mk)
+ALL_IMAGES  := $(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name)))
+
+# The controller that an image belongs to, and the folders where its files find their headers.
+controller_of = $(patsubst %/main,%,$(filter %/main,$($(1)_MODULES)))
+includes_of   = $(patsubst %,-Ifirmware/%,$(sort lib mcu $(dir $($(1)_MODULES:%=%))))
+
+SDCC := sdcc -mmcs51 --std-c11 --model-small --Werror
+
+ifeq ($(BOARD),)
+# All boards: one make for each.
+.PHONY: flash $(BOARDS:%=firmware-%)
+flash:
+	$(error say which board: make flash BOARD=NAME PORT=DEVICE; the boards are: $(BOARDS))
+firmware: $(BOARDS:%=firmware-%)
+$(BOARDS:%=firmware-%): firmware-%: build/fistab build/bound $(filter build/%,$(foreach image,$(ALL_IMAGES),$($(image)_TABLE)))
+	@$(MAKE) BOARD=$* firmware
+else
+include firmware/boards/$(BOARD).mk
+OUT := build/$(BOARD)
+
+SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
+    -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) -DBOARD_NAME='"$(BOARD)"' $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
+SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
+
+firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
+
+# Compiles any C file of the tree with the settings of one image.
+define compile_rules
+$(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)$(SDCC) $(SDCC_FLAGS) -DAPP_NAME='"$(1)"' $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
+endef
+define image_rules
+$(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
+$(call compile_rules,$(1),firmware/)
+$(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
+	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
+	$$(Q)$(SDCC) $(SDCC_LINK) $$(filter %.rel,$$^) -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
+	$$(Q)build/bound --iram=$(IRAM_BYTES) $($(1)_CYCLES:%=--cycles=%) --round=main $$@ $$(@:.ihx=.map) \
+	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
+endef
+$(foreach image,$(ALL_IMAGES),$(eval $(call image_rules,$(image))))
+
+$(OUT)/%.hex: $(OUT)/%.ihx
+	$(Q)packihx $< >$@ 2>/dev/null
+	@tools/memory.sh $(BOARD) $*
+
+# The stamp changes when a knob does, so that objects of other settings are never linked.
+SETTINGS = $(TABLE) $(BRAKE_FISTAB) $(BRAKE_CYCLES) $(subst ',,$(SDCC_FLAGS))
+$(OUT)/board.stamp: FORCE
+	@mkdir -p $(@D); echo '$(SETTINGS)' | cmp -s - $@ || echo '$(SETTINGS)' >$@
+
+# The flasher that suits the chip, its wiring and, when it is missing, where to get it.
+HEX = $(OUT)/$(APP).hex
+FLASH_COMMAND = $(or $(FLASH),$(BOARD_FLASH))
+ifneq ($(filter flash,$(MAKECMDGOALS)),)
+ifeq ($(filter $(APP),$(ALL_IMAGES)),)
+$(error no app '$(APP)'; the apps are: $(ALL_IMAGES))
+endif
+endif
+.PHONY: flash
+flash: $(OUT)/$(APP).hex
+	@[ -n "$(FLASH_COMMAND)" ] || { echo "make flash: error: $(BOARD) has no flasher of its own; write $(HEX) with your chip's tool" >&2; exit 1; }
+	@command -v $(firstword $(FLASH_COMMAND)) >/dev/null || { echo "make flash: error: $(firstword $(FLASH_COMMAND)) is missing: $(FLASH_GET)" >&2; exit 1; }
+	@[ -n "$(PORT)" ] || { echo "make flash: error: say where the chip is: make flash BOARD=$(BOARD) PORT=/dev/ttyUSB0" >&2; exit 1; }
+	@echo "$(FLASH_HOW)"
+	$(FLASH_COMMAND)
+
+-include $(wildcard $(OUT)/*/*/*.d $(OUT)/*/tests/*/*.d)
+endif
+
+# What the host builds of the controllers' logic.
+$(foreach law,$(IMAGES_OF_brake),$(eval $(call lab_image,$(law))))
+$(foreach name,$(CONTROLLERS),$(foreach grid,$(GRIDS_OF_$(name)),$(eval $(call grid_rules,$(name),$(grid)))))
+-include $(wildcard build/grid/*/*/*/*.d build/grid/*/*/*/*/*.d)

@@ -1,0 +1,20 @@
+# drive: its rooms see each other's headers.
+drive_SRC  := $(filter-out tools/drive/sim/canary_image.c,$(drive_SRC))
+drive_LIBS := -linih -lcjson -lm
+build/host/tools/drive/%.o build/sanitized/tools/drive/%.o: HOST_FLAGS += $(DRIVE_ROOMS)
+
+# What drive must know of a board comes from the fragment that builds the board's firmware, and from the
+# pins that all boards share, in the order of enum board_pin.
+PINS := PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE
+build/boards.h: tools/drive/rules.mk tools/drive/boards.awk firmware/pins.mk firmware/boards $(wildcard firmware/boards/*.mk)
+	@mkdir -p $(@D)
+	$(Q)for board in $(filter firmware/boards/%.mk,$^); do \
+	    awk -v pins="$(PINS)" -f tools/drive/boards.awk firmware/pins.mk $$board; \
+	done >$@.part; mv $@.part $@
+
+# The image that drive runs to see whether a simulator keeps time.
+tools: build/canary.ihx
+build/canary.ihx: tools/drive/sim/canary_image.c
+	@mkdir -p build/canary
+	$(Q)sdcc -mmcs51 --std-c11 --Werror $< -o build/canary/canary.ihx
+	$(Q)mv build/canary/canary.ihx $@

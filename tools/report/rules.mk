@@ -1,0 +1,3 @@
+.PHONY: run-report
+run-report: all grid
+	@IMAGES='$(IMAGES)' tools/report/report.sh $(or $(BOARD),$(DEFAULT_BOARD))
