@@ -1,5 +1,5 @@
-/* Times a control step of a controller on frames as it ships: in place of frames/frames.c. A step is
- * app_read and app_decide together, over the payloads of tests/bench/APP.c. */
+/* Times a control step of a controller on frames as it ships: in place of frames/frames.c. A step
+ * is app_read and app_decide together, over the payloads of tests/bench/APP.c. */
 #include <8052.h>
 #include "frames.h"
 #include "step.h"

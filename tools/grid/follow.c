@@ -1,7 +1,7 @@
 /* Every start of the follower's grid, with the firmware's own decision compiled for the host and
  * the plant of drive. One line of CSV a start. The Makefile builds it once for each rule set. */
 #include "follow.h"
-#include "../drive/robots.h"
+#include "robots.h"
 
 #include <argp.h>
 #include <errno.h>

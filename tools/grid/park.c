@@ -5,7 +5,7 @@
 #include "cc51.h"
 #include "park.h"
 #include "lut_table.h"
-#include "../drive/truck.h"
+#include "truck.h"
 
 #include <math.h>
 #include <stdio.h>

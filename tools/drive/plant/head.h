@@ -1,6 +1,6 @@
 /* A sensor head on the controller's serial line: each trigger is answered by one frame, laid out as
- * firmware/frames/frame.h says, and what may be wrong with it. The bytes are made here a second time,
- * so that a misunderstanding of the layout shows. */
+ * firmware/frames/frame.h says, and what may be wrong with it. The bytes are made here a second
+ * time, so that a misunderstanding of the layout shows. */
 #ifndef FUZZY51_HEAD_H
 #define FUZZY51_HEAD_H
 
