@@ -26,7 +26,7 @@ include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
 SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
-    -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) -DBOARD_NAME='"$(BOARD)"' $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
+    -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) -DFUZZY51_VERSION='"$(VERSION)"' -DBOARD_NAME='"$(BOARD)"' $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
 SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
 firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)

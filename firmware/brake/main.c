@@ -11,7 +11,7 @@
 #ifndef APP_NAME /* what its law is called, where that is not the published table */
 #define APP_NAME "brake"
 #endif
-#define VERSION    "fuzzy51 1.0 " APP_NAME
+#define VERSION    "fuzzy51 " FUZZY51_VERSION " " APP_NAME
 #define CONTROL_MS 60U  /* the sensor's pace */
 #define SETTLE_MS  60U  /* from the brake's release after the self-test to the first measurement */
 #define IDLE_MS    100U /* an echo cut off by a reset is over by then */

@@ -5,7 +5,7 @@
 #include "lut_table.h"
 #include "selftest.h"
 
-#define VERSION "fuzzy51 1.0"
+#define VERSION "fuzzy51 " FUZZY51_VERSION
 
 /* From the end of the self-test to the first trigger: an actuator takes its place. */
 #define SETTLE_MS 60U

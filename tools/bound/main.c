@@ -8,7 +8,7 @@
 
 enum { WORDS = 64, NAMES = 64, OPT_CYCLES = 256, OPT_ROUND, OPT_IRAM };
 
-const char *argp_program_version = "fuzzy51 1.0";
+const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
 
 struct arguments {
     const char *words[WORDS];

@@ -17,7 +17,7 @@
 
 enum { MAX_SETTINGS = 32 };
 
-const char *argp_program_version = "fuzzy51 1.0";
+const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
 
 enum option_key {
     OPT_HEX = 256,

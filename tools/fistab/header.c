@@ -108,7 +108,7 @@ static void write_comment(const struct writer *w)
 {
     const struct fis *fis = w->table->fis;
 
-    fprintf(w->out, "/* Made by fistab (fuzzy51 1.0) from ");
+    fprintf(w->out, "/* Made by fistab (fuzzy51 " FUZZY51_VERSION ") from ");
     put_text(w->out, file_name(fis->file));
     fprintf(w->out, ", CRC-32 0x%08lX; do not edit.\n", (unsigned long)fis->crc32);
     write_methods(w);

@@ -28,7 +28,7 @@ static void print_help(FILE *out)
 
 int main(int argc, char **argv)
 {
-    argp_program_version = "fuzzy51 1.0";
+    argp_program_version = "fuzzy51 " FUZZY51_VERSION;
     argp_err_exit_status = EXIT_USAGE;
     if (argc < 2) {
         print_help(stderr);

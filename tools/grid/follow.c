@@ -21,7 +21,7 @@ enum {
     LEAD_STEP_MMPS = 500,
 };
 
-const char *argp_program_version = "fuzzy51 1.0";
+const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
 
 struct arguments {
     int steps, every;

@@ -12,7 +12,7 @@
 enum { WORDS = 8, SETTINGS = 32 };
 enum { OPT_SCENARIO = 256, OPT_SET, OPT_SEED, OPT_RUNS, OPT_ROUNDS };
 
-const char *argp_program_version = "fuzzy51 1.0";
+const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
 
 struct arguments {
     const char *words[WORDS];
