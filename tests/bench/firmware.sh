@@ -22,16 +22,7 @@ is_brake() { case $1 in brake | tuned | classic | first | none) ;; *) false ;; e
 # Least and most cycles of the step.
 step_cycles() { # BOARD APP
     local image=build/$1/bench/$2.ihx log=$work/$1-$2.log line
-    [ -r "$image" ] || {
-        echo "firmware.sh: error: no image '$image'; run: make BOARD=$1 $image" >&2
-        exit 1
-    }
-    # s51 leaves early when its input is closed, and always with 0: only the image's own "end" counts.
-    coproc open_pipe { exec sleep 3000; }
-    timeout -k 1 3000 prlimit --cpu=120 s51 -t C52 -q -b -R 1 -G -I "if=xram[0xffff]" "$image" \
-        <&"${open_pipe[0]}" >"$log" 2>&1 || true
-    kill "$open_pipe_PID" 2>/dev/null
-    wait "$open_pipe_PID" 2>/dev/null || true
+    tests/run_image.sh "$image" >"$log"
     line=$(grep -aE '^[0-9]+ [0-9]+ [0-9]+ end$' "$log") || {
         echo "firmware.sh: error: $image did not come to its end in s51; see $log" >&2
         exit 1
@@ -69,7 +60,7 @@ load_and_stack() { # BOARD APP PER_SECOND MORE
 }
 
 # Echo to duty: the longest times from the end of an echo to the moment at which the duty is set (the
-# step's number is counted right after it), to the pin, and to the stop line.
+# step's number is counted right after it), to the pin, and to the STOP pin.
 run_brake() { # BOARD APP
     local seq pct first start readings=50
     case $2 in brake | tuned) readings=300 ;; esac # the others are for stack and load
@@ -184,7 +175,7 @@ row() { # WHAT VALUE LIMIT UNIT
 
 # Bytes of code and constants that each module's object has; what is over is SDCC's library.
 modules() { # BOARD APP
-    for object in build/"$1"/"$2"/{apps,core,mcu}/*.rel; do
+    for object in build/"$1"/"$2"/*/*.rel; do
         awk -v name="$(echo "$object" | sed 's|.*/\([a-z]*/[a-z0-9_]*\)\.rel|\1|')" '
             function hex(text,    i, n) { for (i = 1; i <= length(text); i++) n = 16 * n + index("0123456789ABCDEF", substr(text, i, 1)) - 1; return n }
             $1 == "A" && $2 ~ /^(HOME|GSINIT|GSFINAL|CSEG|CONST|XINIT)/ { sum += hex($4) }
@@ -207,7 +198,7 @@ for board; do
         row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" 1000 mc
         row 'of it the step alone, mc' "$(value "$board" $app step_most)" 1000 mc
         printf '    %-46s %8s\n' 'no path of it takes more, mc' "$(bounded "$board" $app control_step)"
-        row 'echo end to stop line, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
+        row 'echo end to STOP pin, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
         # The step, 0.3 ms of notice for the PWM, and a period of it.
         row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" 11300 us
         if [ -n "$table" ]; then

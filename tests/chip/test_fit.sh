@@ -1,7 +1,6 @@
 #!/bin/bash
 # A program that outgrows its chip does not link, and says so; an unknown board names the known ones.
-set -u
-. tests/chip/check.sh
+. tests/lib.sh
 dir=build/outgrown
 rm -rf "$dir"
 
@@ -18,4 +17,4 @@ names_the_boards() {
 }
 check "an_unknown_board_names_the_boards" names_the_boards
 rm -rf "$dir" "$dir.log"
-check_end
+finish

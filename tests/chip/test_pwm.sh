@@ -2,9 +2,8 @@
 # The PWM by its pin's edges, on each board, while UART and echo are busy: exact shares, whole periods,
 # nothing in between at a change, and the new duty from the next period on. The image is the brake's,
 # but for the duty (tests/chip/brake_duties.c).
-set -u
+. tests/lib.sh
 . tests/chip/lib.sh
-. tests/chip/check.sh
 
 run() { # BOARD
     local image=build/$1/tests/chip/brake_duties.ihx cell first
@@ -40,4 +39,4 @@ for board in at89s52 generic8052 stc89c516rd; do
     check "${board}_a_new_duty_waits_10_3_ms_at_most" at_most "$(found late_us)" 10300
     s51_clean
 done
-check_end
+finish

@@ -1,11 +1,9 @@
 #!/bin/bash
 # What the self-test finds ends in FAULT, with its code in the telemetry and on the lamp, and lasts;
 # STOP works all the same.
-set -u
+. tests/lib.sh
 . tests/chip/lib.sh
-. tests/chip/check.sh
 board=at89s52
-dir=$(mktemp -d)
 make -s "BOARD=$board" "build/$board/brake.ihx" "build/$board/tests/chip/brake_overflow.ihx" || exit 2
 
 # Blinks between the first two pauses of the lamp (low is lit) from a time on. A pause is a second and
@@ -42,29 +40,29 @@ run() { # IMAGE press|high|""
     s51_echoes "$first" 148 150 600
     s51_until $((first + 60000 * 150))
     s51_stop
-    tr -d '\r' <"$s51_uart" >"$dir/said"
+    tr -d '\r' <"$s51_uart" >"$out/said"
 }
 
 shows() { # CODE, after the fault came
-    grep -qE "^[0-9]+,[0-9]+,3000,0,[0-9]+,[0-9]+,60,FAULT,$1\$" "$dir/said"
+    grep -qE "^[0-9]+,[0-9]+,3000,0,[0-9]+,[0-9]+,60,FAULT,$1\$" "$out/said"
 }
 never_leaves() { # CODE once there
-    awk -F, -v code="$1" '/^[0-9]+,/ { if ($9 == code) seen = 1; else if (seen) left = 1 } END { exit !seen || left }' "$dir/said"
+    awk -F, -v code="$1" '/^[0-9]+,/ { if ($9 == code) seen = 1; else if (seen) left = 1 } END { exit !seen || left }' "$out/said"
 }
 stops() {
-    awk -F, '$3 == 600 && $7 == 100 { seen = 1 } END { exit !seen }' "$dir/said"
+    awk -F, '$3 == 600 && $7 == 100 { seen = 1 } END { exit !seen }' "$out/said"
 }
 
 run "build/$board/brake.ihx" ""
-check "a_good_image_controls" grep -qE ',3000,0,5[0-9],0,[0-9]+,CONTROL,0$' "$dir/said"
-check "a_good_image_shows_no_fault" [ -z "$(grep -E 'FAULT,([89]|1[01])' "$dir/said")" ]
+check "a_good_image_controls" grep -qE ',3000,0,5[0-9],0,[0-9]+,CONTROL,0$' "$out/said"
+check "a_good_image_shows_no_fault" [ -z "$(grep -E 'FAULT,([89]|1[01])' "$out/said")" ]
 s51_clean
 
 # The table's bytes lie in lut's constants.
 address=$(awk '$NF == "_lut_out1:" { print $1; exit }' "build/$board/brake/lib/lut.rst")
-awk -v "address=$((16#$address + 1000))" -f tests/chip/flip_byte.awk "build/$board/brake.ihx" >"$dir/flipped.ihx"
-check "one_bit_of_the_table_is_flipped" [ "$(cmp -l "build/$board/brake.ihx" "$dir/flipped.ihx" | wc -l)" -ge 2 ]
-run "$dir/flipped.ihx" ""
+awk -v "address=$((16#$address + 1000))" -f tests/chip/flip_byte.awk "build/$board/brake.ihx" >"$out/flipped.ihx"
+check "one_bit_of_the_table_is_flipped" [ "$(cmp -l "build/$board/brake.ihx" "$out/flipped.ihx" | wc -l)" -ge 2 ]
+run "$out/flipped.ihx" ""
 check "a_flipped_bit_in_the_table_is_fault_8" shows 8
 check "a_flipped_bit_lasts" never_leaves 8
 check "a_flipped_bit_still_stops" stops
@@ -82,5 +80,4 @@ check "a_line_high_at_rest_is_fault_11" shows 11
 check "a_line_high_lasts" never_leaves 11
 check "a_line_high_blinks_5" [ "$(blinks 400000)" = 5 ]
 s51_clean
-rm -rf "$dir"
-check_end
+finish

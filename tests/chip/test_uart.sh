@@ -1,11 +1,9 @@
 #!/bin/bash
 # The controller's words: title, header, one whole line a control step, an answer to each command, and
 # no command obeyed that is none.
-set -u
+. tests/lib.sh
 . tests/chip/lib.sh
-. tests/chip/check.sh
 board=stc89c516rd
-dir=$(mktemp -d)
 make -s "BOARD=$board" "build/$board/brake.ihx" || exit 2
 
 S51_TYPES=1 s51_start "$board" "build/$board/brake.ihx"
@@ -21,7 +19,7 @@ done
 s51_echoes "$first" "$k" $((k + 10)) 3000
 s51_until $((first + 60000 * (k + 10)))
 s51_stop
-said=$dir/said
+said=$out/said
 cp "$s51_uart" "$said"
 s51_clean
 
@@ -99,11 +97,11 @@ time_steps() { # NAME KEYS-FIRST KEYS-AT-EACH-END
             s51_type "${3:k % ${#3}:1}"
         fi
         s51_pin "$fall_us" echo 0
-        echo "$fall_us.5" >>"$dir/$1.falls"
+        echo "$fall_us.5" >>"$out/$1.falls"
     done
     s51_until $((first + 60000 * 45))
     s51_stop
-    s51_answers "$cell" "$dir/$1.falls" >"$dir/$1.answers"
+    s51_answers "$cell" "$out/$1.falls" >"$out/$1.answers"
     answers=$(grep -ac '^#' "$s51_uart")
     s51_clean
 }
@@ -112,7 +110,7 @@ same_to() { # NAME MOST_US: against the run without telemetry
         FNR == NR { delay[$1] = $2 - $1; next }
         $1 in delay { n++; d = $2 - $1 - delay[$1]; if (d > worst) worst = d; if (d < -most) early = 1 }
         END { printf "%s: %d steps, at most %.0f us later than without telemetry\n", name, n, worst | "cat >&2"
-              exit !(n >= 35 && worst <= most && !early) }' "$dir/off.answers" "$dir/$1.answers"
+              exit !(n >= 35 && worst <= most && !early) }' "$out/off.answers" "$out/$1.answers"
 }
 time_steps on '' ''
 time_steps off t ''
@@ -122,5 +120,4 @@ check "commands_were_answered" [ "$answers" -ge 20 ]
 check "the_jobs_of_a_round_are_bounded" [ "${most_us:-99999}" -lt 10000 ]
 check "telemetry_delays_no_step" same_to on "$most_us"
 check "commands_delay_no_step" same_to asked "$most_us"
-rm -rf "$dir"
-check_end
+finish

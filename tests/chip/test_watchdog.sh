@@ -2,9 +2,8 @@
 # A hung controller is reset by the AT89S52's watchdog in time and comes up braking, in FAULT, until
 # three good readings. The image is the brake's own, but for a loop for ever when the override is
 # pressed.
-set -u
+. tests/lib.sh
 . tests/chip/lib.sh
-. tests/chip/check.sh
 board=at89s52
 image=build/$board/tests/chip/brake_hang.ihx
 make -s "BOARD=$board" "$image" || exit 2
@@ -35,10 +34,10 @@ check "a_hung_controller_is_reset_16_ms_after_the_last_feed" \
     [ "${reset_us:-0}" -gt "$((fed_us + 10000))" -a "${reset_us:-0}" -le "$((fed_us + 17000))" ]
 check "only_one_reset" [ "$(grep -c reset "$pwm")" -eq 1 ]
 check "the_brake_is_full_while_it_boots" [ "$(fall_us 0)" -ge 100000 ]
-check "the_stop_line_is_on_while_it_boots" [ "$(fall_us 1)" -ge 100000 ]
+check "the_STOP_pin_is_on_while_it_boots" [ "$(fall_us 1)" -ge 100000 ]
 sed -n '/reset=watchdog/,$p' "$s51_uart" >"$s51_dir/after"
 check "the_title_names_the_watchdog" [ -s "$s51_dir/after" ]
 check "it_starts_in_fault_at_60_percent" grep -aqE '^1,[0-9]+,,0,0,0,60,FAULT,' "$s51_dir/after"
 check "three_good_readings_release_it" grep -aqE ',0,RELEASED,0' "$s51_dir/after"
 s51_clean
-check_end
+finish

@@ -1,19 +1,7 @@
 #!/bin/bash
 # Every tests/bad/*.fis says what it is there for: `% expect: LINE: error: text` in its first line. check must
 # say that, exit 1 and print nothing else on stdout; table, for errors, must too and write no file.
-set -u
-out=build/tests/bad_fis
-mkdir -p "$out"
-failed=0
-
-report() { # NAME, what is wrong or nothing
-    if [ -z "$2" ]; then
-        echo "$1:0:bad_input_is_named:PASS"
-    else
-        echo "$1:0:bad_input_is_named:FAIL: $2"
-        failed=1
-    fi
-}
+. tests/lib.sh
 
 for fis in tests/bad/*.fis; do
     expect=$(sed -n '1s/^% expect: //p' "$fis" | tr -d '\r')
@@ -34,15 +22,11 @@ for fis in tests/bad/*.fis; do
         [ -z "$(ls "$out" | grep -v '^std')" ] || wrong="table leaves $(ls "$out")"
         [ ! -s "$out/stdout" ] || wrong="table prints on stdout"
     fi
-    report "$fis" "$wrong"
+    faultless "$fis" "$wrong"
 done
 
 # The other way round: every message of the checks has a fixture.
 for name in $(sed -n 's/^ \*   \([a-z_]*\)  .*/\1/p' tools/fistab/check.h); do
-    if grep -q "^% expect: .*($name)" tests/bad/check_*.fis; then
-        report "tools/fistab/check.h" ""
-    else
-        report "tools/fistab/check.h" "check $name has no fixture in tests/bad"
-    fi
+    check "fixture_of_check_$name" grep -q "^% expect: .*($name)" tests/bad/check_*.fis
 done
-exit $failed
+finish

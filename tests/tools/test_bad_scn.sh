@@ -1,10 +1,7 @@
 #!/bin/bash
 # Each broken scenario of tests/bad gives the message of its first line, with its place, exit status 1,
 # and leaves nothing behind. The good ones of tests/loop give none.
-set -u
-out=build/tests/bad_scn
-mkdir -p "$out"
-. tests/tools/say.sh
+. tests/lib.sh
 
 for file in tests/bad/*.scn; do
     expected=$(sed -n '1s/^; expect: //p' "$file")
@@ -33,4 +30,4 @@ for folder in $(find tests/loop -name '*.scn' -printf '%h\n' | sort -u); do
     [ "$(wc -l <"$out/stdout")" -eq "$(find "$folder" -maxdepth 1 -name '*.scn' | wc -l)" ]
     say "$folder is listed, a line each" $? "$(wc -l <"$out/stdout") lines"
 done
-exit $failed
+finish

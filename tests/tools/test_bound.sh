@@ -1,20 +1,10 @@
 #!/bin/bash
 # build/bound as the build calls it: every image of the default board has its bounds, and what cannot be
 # bounded or does not fit ends with status 1 and a reason.
-set -u
+. tests/lib.sh
 out=build/tests/bound
 board=build/stc89c516rd
 mkdir -p "$out"
-. tests/tools/say.sh
-
-refuses() { # NAME STATUS PATTERN ARGUMENT...
-    local name=$1 expected=$2 pattern=$3 status
-    shift 3
-    build/bound "$@" >"$out/stdout" 2>"$out/stderr"
-    status=$?
-    [ $status -eq "$expected" ] && grep -q -- "$pattern" "$out/stderr"
-    say "$name" $? "status $status: $(head -n 1 "$out/stderr")"
-}
 
 for image in "$board"/*.ihx; do
     bound=${image%.ihx}.bound
@@ -23,15 +13,15 @@ for image in "$board"/*.ihx; do
     say "bounds of $(basename "$image" .ihx)" $? "$(cat "$bound" 2>&1)"
 done
 
-refuses "a stack that does not fit" 1 'ihx: error: the stack may take [0-9]* bytes, and 19 are free' \
-    --iram=$((256 - $(awk '$1 == "stack:" { print $6 }' "$board/gap.bound") + 19)) "$board/gap.ihx"
-refuses "an image that is not there" 1 'nosuch.ihx: error: cannot read the image' "$out/nosuch.ihx"
-refuses "a listing that is not there" 1 'nosuch.rst: error: cannot read the listing' "$board/gap.ihx" "$out/nosuch.rst"
-refuses "a listing of another image" 1 'frame.rst:[0-9]*: error: .*link the image again' "$board/gap.ihx" "$board/follow/frames/frame.rst"
-refuses "a function that is not there" 1 "no function 'nosuch'" --cycles=nosuch "$board/gap.ihx" "$board/gap.map"
-refuses "a loop that no line bounds" 1 'a loop without a bound; write /\* rounds: N \*/' --cycles=hal_trigger "$board/gap.ihx" "$board/gap.map"
-refuses "no image" 2 'Usage'
-refuses "RAM that no 8051 has" 2 'give a whole number in 128..256' --iram=64 "$board/gap.ihx"
+refuses "a stack that does not fit" 1 'bytes, and 19 are free' \
+    build/bound --iram=$((256 - $(awk '$1 == "stack:" { print $6 }' "$board/gap.bound") + 19)) "$board/gap.ihx"
+refuses "an image that is not there" 1 'nosuch.ihx: error: cannot read the image' build/bound "$out/nosuch.ihx"
+refuses "a listing that is not there" 1 'nosuch.rst: error: cannot read the listing' build/bound "$board/gap.ihx" "$out/nosuch.rst"
+refuses "a listing of another image" 1 'link the image again' build/bound "$board/gap.ihx" "$board/follow/frames/frame.rst"
+refuses "a function that is not there" 1 "no function 'nosuch'" build/bound --cycles=nosuch "$board/gap.ihx" "$board/gap.map"
+refuses "a loop that no line bounds" 1 'a loop without a bound; write /* rounds: N */' build/bound --cycles=hal_trigger "$board/gap.ihx" "$board/gap.map"
+refuses "no image" 2 'Usage' build/bound
+refuses "RAM that no 8051 has" 2 'give a whole number in 128..256' build/bound --iram=64 "$board/gap.ihx"
 
 cat >"$out/recursive.c" <<'END'
 static unsigned char down(unsigned char n) { return n == 0 ? 0 : (unsigned char)(down(n - 1) + 1); }
@@ -45,6 +35,6 @@ END
 for kind in recursive pointer; do
     sdcc -mmcs51 "$out/$kind.c" -o "$out/$kind.ihx" 2>"$out/sdcc.log" || say "$kind.c compiles" 1 "$(cat "$out/sdcc.log")"
 done
-refuses "recursion" 1 'calls itself' "$out/recursive.ihx"
-refuses "a call through a pointer" 1 'through a pointer' "$out/pointer.ihx"
-exit $failed
+refuses "recursion" 1 'calls itself' build/bound "$out/recursive.ihx"
+refuses "a call through a pointer" 1 'through a pointer' build/bound "$out/pointer.ihx"
+finish

@@ -2,10 +2,7 @@
 # The same seed gives the same bytes; neither the sync quantum nor the plant's step changes an outcome:
 # traces are equal to the byte for every quantum, and outcomes within the tolerances below for half the
 # step. All with the real firmware.
-set -u
-out=build/tests/determinism
-mkdir -p "$out"
-. tests/tools/say.sh
+. tests/lib.sh
 
 run() { # BOARD SCENARIO NAME [option...]
     board=$1 scenario=$2 name=$3
@@ -62,4 +59,4 @@ for name in first other; do # a stamp never goes back in the waveform, and every
          END { exit bad || last == "" }' "$out/$name.vcd"
     say "waveform $name is in order" $? "$(head -n 40 "$out/$name.vcd" | tail -n 1)"
 done
-exit $failed
+finish

@@ -1,37 +1,7 @@
 #!/bin/bash
 # Command lines of fistab eval, check and table: what they print, their exit status, and limits kept quickly.
-set -u
+. tests/lib.sh
 fistab=build/fistab
-out=build/tests/fistab
-rm -rf $out
-mkdir -p $out
-failed=0
-
-pass_if() { # NAME, what is wrong or nothing
-    if [ -z "$2" ]; then
-        echo "tests/tools/test_fistab.sh:${BASH_LINENO[0]}:$1:PASS"
-    else
-        echo "tests/tools/test_fistab.sh:${BASH_LINENO[0]}:$1:FAIL: $2"
-        failed=1
-    fi
-}
-
-# expect NAME STATUS STDOUT STDERR COMMAND...: STDERR is a part of it; empty: nothing there.
-expect() {
-    local name=$1 status=$2 stdout=$3 stderr=$4 wrong=
-    shift 4
-    local got
-    got=$("$@" 2>$out/stderr)
-    local code=$?
-    [ $code -eq "$status" ] || wrong="exit status $code, not $status: $(head -2 $out/stderr)"
-    [ "$stdout" = '*' ] || [ "$got" = "$stdout" ] || wrong="printed '$got', not '$stdout'"
-    if [ -z "$stderr" ]; then
-        [ ! -s $out/stderr ] || wrong="complained: $(head -2 $out/stderr)"
-    else
-        grep -qF -- "$stderr" $out/stderr || wrong="did not say '$stderr' but: $(head -2 $out/stderr)"
-    fi
-    pass_if "$name" "$wrong"
-}
 
 # --- eval
 expect eval_prints_ten_digits 0 86.28104575 "" $fistab eval tables/brake.fis 3 10
@@ -82,21 +52,21 @@ expect brake_prod_obeys_the_law 0 "" "" $fistab check --monotone=-1,+2 tables/br
 expect brake_prod_obeys_it_finer 0 "" "" $fistab check --monotone=-1,+2 --grid=400x400 --levels=255 tables/brake_prod.fis
 expect brake_prod_obeys_it_exactly 0 "" "" $fistab check --monotone=-1,+2 --exact --levels=255 tables/brake_prod.fis
 [ "$($fistab check --coverage tables/brake.fis | wc -l)" -eq 16 ]
-pass_if coverage_has_a_line_for_each_rule "$([ $? -eq 0 ] || echo 'not 16 lines')"
+faultless coverage_has_a_line_for_each_rule "$([ $? -eq 0 ] || echo 'not 16 lines')"
 
 # --- table
 $fistab table tables/brake.fis -o $out/a.h --csv=$out/a.csv
 (cd tables && ../$fistab table brake.fis -o ../$out/b.h --csv=../$out/b.csv)
 $fistab table tables/brake.fis >$out/stdout.h
-pass_if same_input_same_bytes "$(cmp $out/a.h $out/b.h; cmp $out/a.csv $out/b.csv; cmp $out/a.h $out/stdout.h)"
-pass_if csv_has_a_line_for_each_cell "$([ "$(wc -l <$out/a.csv)" -eq 10001 ] || echo 'not 10,001 lines')"
-pass_if csv_names_its_columns "$([ "$(head -1 $out/a.csv)" = '"distance_m","closing_mps","brake_pct"' ] || head -1 $out/a.csv)"
-pass_if csv_goes_row_by_row "$([ "$(sed -n '102p' $out/a.csv)" = 1.06,0.175,86 ] || sed -n '102p' $out/a.csv)"
-pass_if header_and_csv_hold_the_same "$(diff <(tail -n +2 $out/a.csv | cut -d, -f3) <(sed -n '/out1/,/^}/p' $out/a.h | tail -n +2 | grep -oE '[0-9]+') | head -3)"
+faultless same_input_same_bytes "$(cmp $out/a.h $out/b.h; cmp $out/a.csv $out/b.csv; cmp $out/a.h $out/stdout.h)"
+faultless csv_has_a_line_for_each_cell "$([ "$(wc -l <$out/a.csv)" -eq 10001 ] || echo 'not 10,001 lines')"
+faultless csv_names_its_columns "$([ "$(head -1 $out/a.csv)" = '"distance_m","closing_mps","brake_pct"' ] || head -1 $out/a.csv)"
+faultless csv_goes_row_by_row "$([ "$(sed -n '102p' $out/a.csv)" = 1.06,0.175,86 ] || sed -n '102p' $out/a.csv)"
+faultless header_and_csv_hold_the_same "$(diff <(tail -n +2 $out/a.csv | cut -d, -f3) <(sed -n '/out1/,/^}/p' $out/a.h | tail -n +2 | grep -oE '[0-9]+') | head -3)"
 expect table_only_as_csv 0 "" "" $fistab table tables/brake.fis --csv=$out/c.csv
 expect no_folder_to_write_to 1 "" "$out/no/such.h: error: cannot write" $fistab table tables/brake.fis -o $out/no/such.h
 expect no_folder_for_the_second_file 1 "" "cannot write" $fistab table tables/brake.fis --csv=$out/new.csv -o $out/no/such.h
-pass_if nothing_half_written "$(ls $out | grep -E 'new|such')"
+faultless nothing_half_written "$(ls $out | grep -E 'new|such')"
 expect grid_too_large 1 "" "a grid of more than 16777216 cells is beyond fistab's limit" $fistab table --grid=5000x5000 tables/brake.fis
 
 # Headers of one to four inputs and two outputs compile, for the host and for the chip.
@@ -133,11 +103,11 @@ C
     gcc -std=c11 -Wall -Wextra -Wconversion -Werror -c $out/lut.c -o $out/lut.o 2>&1
     sdcc -mmcs51 --std-c11 --model-small --Werror -c $out/lut.c -o $out/lut.rel 2>&1
 }
-pass_if header_of_one_input "$(header_of 1)"
-pass_if header_of_two_inputs "$(header_of 2 --grid=7x3 --levels=255)"
-pass_if header_of_three_inputs "$(header_of 3 --grid=5x4x3)"
-pass_if header_of_four_inputs "$(header_of 4 --grid=2x3x4x5 --nodes)"
-pass_if header_of_five_inputs_is_refused "$(header_of 5 2>&1 | grep -q '5 inputs; a table has at most 4' || echo 'not refused')"
+faultless header_of_one_input "$(header_of 1)"
+faultless header_of_two_inputs "$(header_of 2 --grid=7x3 --levels=255)"
+faultless header_of_three_inputs "$(header_of 3 --grid=5x4x3)"
+faultless header_of_four_inputs "$(header_of 4 --grid=2x3x4x5 --nodes)"
+faultless header_of_five_inputs_is_refused "$(header_of 5 2>&1 | grep -q '5 inputs; a table has at most 4' || echo 'not refused')"
 
 # --- limits: an answer or a message, within seconds of processor time
 # quick NAME SECONDS STATUS STDERR COMMAND...
@@ -148,7 +118,7 @@ quick() {
     code=$?
     [ $code -eq "$status" ] || wrong="exit status $code, not $status: $(head -c 300 $out/stderr)"
     [ -z "$stderr" ] || grep -qF -- "$stderr" $out/stderr || wrong="did not say '$stderr' but: $(head -c 300 $out/stderr)"
-    pass_if "$name" "$wrong"
+    faultless "$name" "$wrong"
 }
 
 # big INPUTS SETS RULES: a system of that size; rules differ, as numbers to the base SETS do.
@@ -205,4 +175,4 @@ quick utf16 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fista
 quick exact_negation 2 0 "" $fistab eval --exact tests/fuzz/slow_negation.fis 5 12
 quick exact_bisector 2 0 "" $fistab eval --exact tests/fuzz/slow_bisector.fis 9 -1.5
 quick exact_needle 2 0 "" $fistab eval --exact tests/fuzz/slow_needle.fis -1.15625 0.65625
-exit $failed
+finish

@@ -1,31 +1,26 @@
 #!/bin/bash
 # `make flash`, as far as it goes without a chip: the command line it would run, and what it says
 # when something is missing.
-set -u
-failed=0
+. tests/lib.sh
 
-expect() { # NAME, TEXT, COMMAND...
+says() { # NAME, TEXT, COMMAND...: whatever COMMAND's exit status is, it prints TEXT
     local name=$1 text=$2 said
     shift 2
     said=$("$@" 2>&1)
-    if [[ $said == *"$text"* ]]; then
-        echo "tests/tools/test_flash.sh:0:$name:PASS"
-    else
-        echo "tests/tools/test_flash.sh:0:$name:FAIL: no '$text' in '$said'"
-        failed=1
-    fi
+    [[ $said == *"$text"* ]]
+    say "$name" $? "no '$text' in '$said'"
 }
 
 at89s52=(make flash BOARD=at89s52)
-expect stc_runs_stcgal 'stcgal -P stc89 -p /dev/x build/stc89c516rd/brake.hex' \
+says stc_runs_stcgal 'stcgal -P stc89 -p /dev/x build/stc89c516rd/brake.hex' \
     make -n flash BOARD=stc89c516rd PORT=/dev/x
-expect at89_runs_avrdude 'avrdude -C +firmware/boards/at89s52.conf -c avrisp -b 19200 -P /dev/x -p AT89S52 -U flash:w:build/at89s52/brake.hex:i' \
+says at89_runs_avrdude 'avrdude -C +firmware/boards/at89s52.conf -c avrisp -b 19200 -P /dev/x -p AT89S52 -U flash:w:build/at89s52/brake.hex:i' \
     make -n flash BOARD=at89s52 PORT=/dev/x
-expect another_app_is_flashed 'build/at89s52/gap.hex' make -n flash BOARD=at89s52 PORT=/dev/x APP=gap
-expect a_missing_board_is_named "the boards are: $(basename -as .mk firmware/boards/*.mk | xargs)" make flash
-expect a_missing_port_is_named 'say where the chip is' "${at89s52[@]}"
-expect a_missing_flasher_is_named 'nosuchtool is missing' "${at89s52[@]}" PORT=/dev/x 'FLASH=nosuchtool'
-expect a_board_without_flasher_says_so 'no flasher of its own' make flash BOARD=generic8052 PORT=/dev/x
-expect avrdude_reads_our_part 'signature              = 0x1e 0x52 0x06' \
+says another_app_is_flashed 'build/at89s52/gap.hex' make -n flash BOARD=at89s52 PORT=/dev/x APP=gap
+says a_missing_board_is_named "the boards are: $(basename -as .mk firmware/boards/*.mk | xargs)" make flash
+says a_missing_port_is_named 'say where the chip is' "${at89s52[@]}"
+says a_missing_flasher_is_named 'nosuchtool is missing' "${at89s52[@]}" PORT=/dev/x 'FLASH=nosuchtool'
+says a_board_without_flasher_says_so 'no flasher of its own' make flash BOARD=generic8052 PORT=/dev/x
+says avrdude_reads_our_part 'signature              = 0x1e 0x52 0x06' \
     avrdude -C +firmware/boards/at89s52.conf -p AT89S52/s
-exit $failed
+finish

@@ -2,13 +2,11 @@
 # 52 starts of the follower's grid, 26 for each rule set, six seconds of each: the real image in the
 # simulator must come to the same as the same decision compiled for the host: contact and when, the
 # least gap and the last one, to the millimetre.
-cd "$(dirname "$0")/../.." || exit 2
+. tests/lib.sh
 board=stc89c516rd
 seconds=6
 every=43
-folder=build/grid/sample
-rm -rf "$folder"
-mkdir -p "$folder"
+folder=$out
 make grid >/dev/null && make BOARD=$board build/$board/follow.ihx build/$board/follow_paper.ihx >/dev/null || exit 1
 
 run_one() { # APP GAP_MM OWN_MMPS LEAD_MMPS
@@ -26,7 +24,6 @@ for app in follow follow_paper; do
 done | tr ', ' '  ' >"$folder/host.txt"
 parallel -j "${JOBS:-2}" --will-cite --colsep ' ' run_one '{1}' '{2}' '{3}' '{4}' <"$folder/host.txt"
 
-failed=0
 while read -r app gap own lead collided at least last _; do
     json="$folder/$app,$gap,$own,$lead.json"
     wanted="$collided $least $last"
@@ -44,15 +41,8 @@ while read -r app gap own lead collided at least last _; do
     else
         is="no outcome: $(head -n 1 "${json%.json}.log")"
     fi
-    if [ "$is" = "$wanted" ]; then
-        echo "$0:$LINENO:$app from $gap mm, $own and $lead mm/s:PASS"
-    else
-        echo "$0:$LINENO:$app from $gap mm, $own and $lead mm/s:FAIL: contact, least and last gap are '$is', on the host '$wanted'"
-        failed=1
-    fi
+    [ "$is" = "$wanted" ]
+    say "$app from $gap mm, $own and $lead mm/s" $? "contact, least and last gap are '$is', on the host '$wanted'"
 done <"$folder/host.txt"
-[ "$(wc -l <"$folder/host.txt")" -ge 50 ] || {
-    echo "$0:$LINENO:at least 50 starts:FAIL"
-    failed=1
-}
-exit $failed
+check "at least 50 starts" [ "$(wc -l <"$folder/host.txt")" -ge 50 ]
+finish

@@ -1,19 +1,7 @@
 #!/bin/bash
 # Every tests/good/*.fis passes `fistab check` (with the options of `% args:`) without a word; one that says
 # `% equals: FILE` has the same outputs as FILE. So have the tables that we ship.
-set -u
-out=build/tests/good_fis
-mkdir -p "$out"
-failed=0
-
-report() { # FILE, name, what is wrong or nothing
-    if [ -z "$3" ]; then
-        echo "$1:0:$2:PASS"
-    else
-        echo "$1:0:$2:FAIL: $3"
-        failed=1
-    fi
-}
+. tests/lib.sh
 
 head_of() { # KEY FILE: the value after `% KEY:` in the first lines, whatever ends them
     tr '\r' '\n' <"$2" | sed -n "1,4s/^% $1: //p"
@@ -26,7 +14,7 @@ for fis in tests/good/*.fis tables/*.fis; do
     wrong=
     [ -z "$said" ] || wrong="check says: $said"
     [ $status -eq 0 ] || wrong="check exits with $status: $said"
-    report "$fis" check_is_silent "$wrong"
+    faultless "$fis: check is silent" "$wrong"
 
     equal=$(head_of equals "$fis")
     [ -n "$equal" ] || continue
@@ -36,6 +24,6 @@ for fis in tests/good/*.fis tables/*.fis; do
     wrong=
     [ "$(wc -l <"$out/expected")" -eq 30 ] || wrong="no 30 points of $equal"
     cmp -s "$out/expected" "$out/got" || wrong="differs from $equal: $(diff "$out/expected" "$out/got" | head -3)"
-    report "$fis" outputs_equal "$wrong"
+    faultless "$fis: same outputs as $equal" "$wrong"
 done
-exit $failed
+finish

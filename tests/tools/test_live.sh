@@ -1,10 +1,7 @@
 #!/bin/bash
 # --live: a picture in a terminal, whose cursor comes back also after an interrupt; plain lines
 # elsewhere; and the same numbers as without it. A car that parks has a yard in place of a road.
-set -u
-out=build/tests/live
-mkdir -p "$out"
-. tests/tools/say.sh
+. tests/lib.sh
 run="build/drive run --hex build/stc89c516rd/brake.ihx --board stc89c516rd --scenario tests/loop/standing_car_3mps.scn"
 
 $run --csv "$out/without.csv" >/dev/null
@@ -50,4 +47,4 @@ awk -v RS=$'\033\\[20A' 'END { print $0 }' "$out/yard" | head -n 20 >"$out/yard_
 say "a yard to park in" $? "$(cat "$out/yard_last")"
 $yard | grep -q 'x .* m  y .* m  heading .*  steering .*  DRIVING'
 say "plain lines of a yard" $? "none"
-exit $failed
+finish

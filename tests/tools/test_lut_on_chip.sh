@@ -1,24 +1,14 @@
 #!/bin/bash
 # Every cell of every table of build/lut, looked up on the chip by the code that ships, and on the
 # host by the same code, against fistab's CSV; the cycles of each look-up; the check sum.
-set -u
-failed=0
+. tests/lib.sh
 cases=0
-
-verdict() { # DIR NAME STATUS WHY
-    if [ "$3" -eq 0 ]; then
-        echo "$1:0:$2:PASS"
-    else
-        echo "$1:0:$2:FAIL: $4"
-        failed=1
-    fi
-}
 
 for dir in build/lut/*/; do
     dir=${dir%/}
     cases=$((cases + 1))
     if ! line=$(tests/lut/run.sh "$dir" 2>&1); then
-        verdict "$dir" end_line 1 "$line"
+        say "$dir: end_line" 1 "$line"
         continue
     fi
     # bytes N least N most N call N crc_byte N crc_slice N crc right end
@@ -27,10 +17,10 @@ for dir in build/lut/*/; do
     od -An -v -tu1 -w1 "$dir/cells.bin" | tr -d ' ' >"$dir/cells.chip"
     tail -n +2 "$dir/cells.csv" | sed 's/.*,//' >"$dir/cells.fistab"
     difference=$(cmp "$dir/cells.fistab" "$dir/cells.chip" 2>&1) && [ -s "$dir/cells.fistab" ]
-    verdict "$dir" every_cell_is_fistabs $? "$difference ($(wc -l <"$dir/cells.chip") cells came)"
+    say "$dir: every_cell_is_fistabs" $? "$difference ($(wc -l <"$dir/cells.chip") cells came)"
 
     "$dir/host" >"$dir/host.bin" 2>"$dir/host.log" && cmp -s "$dir/host.bin" "$dir/cells.bin"
-    verdict "$dir" the_host_has_the_same_cells $? "see $dir/host.log"
+    say "$dir: the_host_has_the_same_cells" $? "see $dir/host.log"
 
     case $dir in
     */plain-256) limit=25 ;; # 256 columns: a shift in place of the `mul ab`
@@ -38,16 +28,14 @@ for dir in build/lut/*/; do
     *) limit=120 ;;
     esac
     [ "$most" -le "$limit" ]
-    verdict "$dir" "look_up_within_${limit}_mc" $? "$least to $most mc"
+    say "$dir: look_up_within_${limit}_mc" $? "$least to $most mc"
     [ $((most - least)) -le 20 ]
-    verdict "$dir" same_cycles_within_20_mc $? "$least to $most mc"
+    say "$dir: same_cycles_within_20_mc" $? "$least to $most mc"
     [ "$crc" = right ]
-    verdict "$dir" check_sum_is_the_headers $? "the chip's sum of the table differs"
+    say "$dir: check_sum_is_the_headers" $? "the chip's sum of the table differs"
     [ "$crc_byte" -le 44 ] && [ "$crc_slice" -le 40 ]
-    verdict "$dir" check_sum_cycles_as_lut_h_says $? "$crc_byte a byte, $crc_slice a slice"
+    say "$dir: check_sum_cycles_as_lut_h_says" $? "$crc_byte a byte, $crc_slice a slice"
 done
-
-if [ "$cases" -eq 0 ]; then
-    verdict build/lut images 1 "there are none; run: make run-test"
-fi
-exit "$failed"
+[ "$cases" -gt 0 ]
+say "there are images in build/lut" $? "run: make run-test"
+finish

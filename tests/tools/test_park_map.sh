@@ -1,18 +1,7 @@
 #!/bin/bash
 # The parking map: how many of the 3,780 starts succeed, the firmware's integers against floating point,
 # and a sample of starts in s51, whose verdicts must be the same.
-set -u
-failed=0
-
-# report LINE NAME STATUS WHY
-report() {
-    if [ "$3" -eq 0 ]; then
-        echo "test_park_map.sh:$1:$2:PASS"
-    else
-        echo "test_park_map.sh:$1:$2:FAIL: $4"
-        failed=1
-    fi
-}
+. tests/lib.sh
 
 make -s build/grid/park.csv build/grid/park_late.csv
 read -r starts parked parked_float differ far far_parked worst < <(awk -F, 'NR > 1 {
@@ -20,14 +9,14 @@ read -r starts parked parked_float differ far far_parked worst < <(awk -F, 'NR >
     if ($2 >= 20) { m++; q += $4; x = $5 < 0 ? -$5 : $5; if (x > w) w = x }
 } END { print n, p, f, d, m, q, w }' build/grid/park.csv)
 [ "$starts" -eq 3780 ] && [ "$parked" -ge 2568 ] && [ "$parked" -le 2588 ]
-report $LINENO published_blend_parks_68_percent $? "$parked of $starts"
+say "published_blend_parks_68_percent" $? "$parked of $starts"
 [ "$differ" -le 18 ]
-report $LINENO integers_agree_with_floating_point $? "$differ verdicts differ ($parked_float in floating point)"
+say "integers_agree_with_floating_point" $? "$differ verdicts differ ($parked_float in floating point)"
 [ "$far" -eq 1512 ] && [ "$far_parked" -eq 1512 ] && awk "BEGIN { exit !($worst <= 0.45) }"
-report $LINENO every_start_from_20_m_parks $? "$far_parked of $far, at worst $worst m beside"
+say "every_start_from_20_m_parks" $? "$far_parked of $far, at worst $worst m beside"
 late=$(awk -F, 'NR > 1 { p += $4 } END { print p }' build/grid/park_late.csv)
 [ "$late" -gt "$parked" ]
-report $LINENO later_blend_parks_more_often $? "$late against $parked"
+say "later_blend_parks_more_often" $? "$late against $parked"
 
 # Every 157th start; those that end within 5 cm or half a degree of the limits could go either way.
 image=build/stc89c516rd/park.ihx
@@ -38,7 +27,7 @@ while IFS=, read -r x y heading verdict end_x end_turn _; do
         --set park.y_m="$y" --set park.heading_deg="$heading" >build/tests/park_map.txt 2>&1
     got=$(sed -n 's/.*holds  parked = yes.*/yes/p; s/.*FAILS  parked = yes.*/no/p' build/tests/park_map.txt)
     [ "$got" = "$wanted" ]
-    report $LINENO "s51_agrees_at_${x}_${y}_${heading}" $? "s51 says '$got', the map '$wanted' ($end_x m, $end_turn degrees)"
+    say "s51_agrees_at_${x}_${y}_${heading}" $? "s51 says '$got', the map '$wanted' ($end_x m, $end_turn degrees)"
 done < <(awk -F, 'NR > 1 { x = $5 < 0 ? -$5 : $5; t = $6 < 0 ? -$6 : $6; border = (x > 0.35 && x < 0.45 && t < 2.5) || (t > 1.5 && t < 2.5 && x < 0.45)
     if (NR % 157 == 40 && !border) print }' build/grid/park.csv)
-exit $failed
+finish

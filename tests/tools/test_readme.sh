@@ -1,9 +1,6 @@
 #!/bin/bash
 # What README.md shows of the tools' output is what they print, and the scenario that it shows holds.
-set -u
-out=build/tests/readme
-mkdir -p "$out"
-. tests/tools/say.sh
+. tests/lib.sh
 board=stc89c516rd
 drive=(build/drive run --board "$board" --scenario)
 
@@ -28,4 +25,4 @@ say "the stack's bound" $? "$(cat "$out/stack")"
 sed -n '/^\[scenario\]$/,/^```$/{/^```$/d;p}' README.md >"$out/shown.scn"
 "${drive[@]}" "$out/shown.scn" >"$out/said" 2>&1
 say "the scenario shown" $? "$(head -n 1 "$out/said")"
-exit $failed
+finish

@@ -1,30 +1,16 @@
 #!/bin/bash
 # The report: its scenarios, its runs (complete, failed, interrupted, changed), and its page, which
 # headless Chromium loads and goes through by itself.
-set -u
-place=tests/tools/test_report.sh
-out=build/tests/report
-rm -rf "$out"
-mkdir -p "$out"
-failed=0
-
-case_is() { # LINE, NAME, what is wrong or nothing
-    if [ -z "$3" ]; then
-        echo "$place:$1:$2:PASS"
-    else
-        echo "$place:$1:$2:FAIL: $3"
-        failed=1
-    fi
-}
+. tests/lib.sh
 
 # --- scenarios -------------------------------------------------------------------------------------
 tools/report/scenarios.sh --map=fine "$out/scenarios" && tools/report/scenarios.sh --map=fine "$out/again"
 wrong=$(diff -r "$out/scenarios" "$out/again" | head -n 1)
-case_is $LINENO same_scenarios_each_time "$wrong"
+faultless same_scenarios_each_time "$wrong"
 
 wrong=$(build/drive list "$out/scenarios" 2>&1 >"$out/list" | head -n 3)
 [ "$(wc -l <"$out/list")" -ge "$(ls "$out/scenarios" | wc -l)" ] || wrong="$wrong $(wc -l <"$out/list") lines for $(ls "$out/scenarios" | wc -l) files"
-case_is $LINENO drive_reads_every_scenario "$wrong"
+faultless drive_reads_every_scenario "$wrong"
 
 # By hand, A = 8 m/s2, L = 0.35 s, 5 m: 6.5 m/s needs 6.5 * 0.35 + 6.5^2 / 16 = 4.92 m; 6.75 m/s needs 5.21 m
 # and arrives with sqrt(6.75^2 - 16 * (5 - 6.75 * 0.35)) = 1.83; 20 m/s is there before the brake acts.
@@ -37,7 +23,7 @@ owed() {
 wrong="$(owed limit_6.50 'impact = none')$(owed limit_6.75 'impact_mps <= 1.83')$(owed seen_20.0 'impact_mps <= 20.00')"
 wrong="$wrong$(owed map_v10_b10 'impact_mps <= 2.97')$(owed map_v10_b08 'impact = none')$(owed false_open 'max_brake_pct <= 0')"
 wrong="$wrong$(owed ccrb_030_1s 'full_brake_within_s <= 0.06')"
-case_is $LINENO outcomes_as_worked_by_hand "$wrong"
+faultless outcomes_as_worked_by_hand "$wrong"
 
 # --- runs ---------------------------------------------------------------------------------------------
 # A drive that can be told to fail: it notes each run, dies on scenarios named in $out/die, ends without
@@ -94,11 +80,11 @@ wrong=
 [ "$(grep -c '"ok":true' "$out/report/parts/brake.json")" = 1 ] || wrong="$wrong not one good run"
 [ "$(grep -c '"ok":false' "$out/report/parts/brake.json")" = 2 ] || wrong="$wrong not two failed runs"
 grep -q '2 runs failed' "$out/log" || wrong="$wrong the failures are not said"
-case_is $LINENO a_failed_run_is_reported_and_loses_no_other "$wrong"
+faultless a_failed_run_is_reported_and_loses_no_other "$wrong"
 
 wrong=$(page_fault 1280)
 grep -q '"error":"exit status 2: drive ended with 0 but left no result"' "$out/report/index.html" || wrong="$wrong no reason is given"
-case_is $LINENO the_page_names_failed_runs "$wrong"
+faultless the_page_names_failed_runs "$wrong"
 
 rm -f "$out/die" "$out/empty" "$out/calls"
 run_report
@@ -106,11 +92,11 @@ status=$?
 wrong=
 [ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
 [ "$(sort "$out/calls" | tr '\n' ' ')" = "cutin_1.5 false_open " ] || wrong="$wrong ran $(tr '\n' ' ' <"$out/calls")"
-case_is $LINENO only_failed_runs_are_run_again "$wrong"
+faultless only_failed_runs_are_run_again "$wrong"
 
 rm -f "$out/calls"
 run_report
-case_is $LINENO nothing_is_run_twice "$([ "$(calls)" = 0 ] || echo "$(calls) runs")"
+faultless nothing_is_run_twice "$([ "$(calls)" = 0 ] || echo "$(calls) runs")"
 
 # Another drive, another image (here of another board): other results. The old ones stay good.
 rm -f "$out/calls"
@@ -123,7 +109,7 @@ board=generic8052 run_report
 [ "$(calls)" = 6 ] || wrong="$wrong $(calls) runs with another image"
 run_report
 [ "$(calls)" = 6 ] || wrong="$wrong $(calls) runs back with the first image"
-case_is $LINENO results_are_bound_to_their_inputs "$wrong"
+faultless results_are_bound_to_their_inputs "$wrong"
 
 # Interrupted in the middle of runs: no run goes on, what was complete stays, the rest follows.
 rm -rf "$out/report/runs" "$out/calls"
@@ -147,7 +133,7 @@ for _ in $(seq 50); do
 done
 [ $status = 130 ] || wrong="exit status $status; $wrong"
 grep -q 'stopped; the same command goes on from here' "$out/log" || wrong="nothing is said of it; $wrong"
-case_is $LINENO an_interrupted_report_ends_its_runs "$wrong"
+faultless an_interrupted_report_ends_its_runs "$wrong"
 rm -f "$out/slow"
 done_before=$(find "$out/report/runs" -name exit -not -path '*.part/*' -exec grep -lxE '0|1' {} + | wc -l)
 wanted=$(ls "$out/report/scenarios" | grep -cE '^(seen_0[0-5]|cutin_|map_)')
@@ -157,7 +143,7 @@ wrong=
 [ "$done_before" -ge 2 ] && [ "$done_before" -lt "$wanted" ] || wrong="$done_before of $wanted were done when it was interrupted"
 [ "$(calls)" = $((wanted - done_before)) ] || wrong="$wrong $(calls) runs to complete $done_before of $wanted"
 [ "$(grep -c '"ok":true' "$out/report/parts/brake.json")" = "$wanted" ] || wrong="$wrong not all are there"
-case_is $LINENO an_interrupted_report_goes_on "$wrong"
+faultless an_interrupted_report_goes_on "$wrong"
 
 # Another machine, by a stand-in for ssh: a folder that has nothing of ours, and the HOME and SHELL that
 # sshd sets. Two runs at a time use one image there, this machine runs its share, and nothing is left behind.
@@ -177,7 +163,7 @@ status=$?
 wrong=
 [ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
 grep -q GNU_Parallel_worker "$out/ssh_calls" || wrong="$wrong nothing ran there"
-case_is $LINENO runs_on_another_machine "$wrong$(find "$out/far" -mindepth 1 | head -n 3)"
+faultless runs_on_another_machine "$wrong$(find "$out/far" -mindepth 1 | head -n 3)"
 
 # --- the page --------------------------------------------------------------------------------------------
 # One run for each tab.
@@ -186,9 +172,9 @@ images='brake radar gap follow park' only='seen_02.0 frame_noise' run_report
 status=$?
 [ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
 wrong="$wrong$(for id in brake radar gap follow park; do grep -q "^\"id\":\"$id\"" "$out/report/index.html" || echo " no tab $id"; done)"
-case_is $LINENO a_tab_for_each_controller "$wrong"
+faultless a_tab_for_each_controller "$wrong"
 for width in 1280 375; do
-    case_is $LINENO "page_works_at_${width}_px" "$(page_fault $width)"
+    faultless "page_works_at_${width}_px" "$(page_fault $width)"
 done
-case_is $LINENO page_needs_no_network "$(grep -oiE '(src|href|url\()[= ]*["'\'']?(https?:)?//[^"'\'' >]*' "$out/report/index.html" | head -n 1)"
-exit $failed
+faultless page_needs_no_network "$(grep -oiE '(src|href|url\()[= ]*["'\'']?(https?:)?//[^"'\'' >]*' "$out/report/index.html" | head -n 1)"
+finish

@@ -1,10 +1,7 @@
 #!/bin/bash
 # What drive says about a run before it judges it: a sentence that fits the controller, and figures
 # that this controller's world measures.
-set -u
-out=build/tests/summary
-mkdir -p "$out"
-. tests/tools/say.sh
+. tests/lib.sh
 
 says() { # NAME SCENARIO PATTERN: the lines before the judged outcomes are, in one, of that form
     build/drive run --board stc89c516rd --scenario "$out/$2.scn" 2>&1 | sed '/^  holds\|^  FAILS/,$d' | tr '\n' '|' >"$out/said"
@@ -24,4 +21,4 @@ says "a robot that drives" robot "R: drives at $n m/s in the end, $n m behind th
 says "a robot that stands" robot_stands "R: stands in the end, 0\.10 m behind the robot ahead\|  least gap 0\.10 m, most brake [0-9]+ %\|"
 says "a robot that collides" robot_hits "R: hits the robot ahead at $n m/s\|  least gap -?$n m, most brake [0-9]+ %\|"
 says "a robot that changes lanes" robot_changes ".*: changes lanes at $n s, drives at $n m/s in the end, $n m behind the robot ahead\|  least gap $n m, most brake [0-9]+ %\|"
-exit $failed
+finish

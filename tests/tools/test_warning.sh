@@ -12,22 +12,18 @@
 # ahead or by 0.16 s (and a line of the CSV, 10 ms), the first moment that this sensor allows. A car
 # that brakes meanwhile is only later at the hard braking. (Sweeps of speed and phase:
 # tests/unit/warned.h.)
-set -u
-place=tests/tools/test_warning.sh
+. tests/lib.sh
 board=stc89c516rd
-failed=0
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 # APP V LEAD: what is wrong. The target comes into sight 1 ms after a reading, that of 0.3 s: 5 m are
 # what is left when the sound arrives.
 late() {
-    local json=$work/$1_$2_$3.json csv=$work/$1_$2_$3.csv start_m
+    local json=$out/$1_$2_$3.json csv=$out/$1_$2_$3.csv start_m
     start_m=$(awk -v v="$2" 'BEGIN { printf "%.4f", 5 * (1 + v / 343.2) + v * 0.301 }')
     build/drive run --brief --hex build/$board/$1.ihx --board $board --scenario tests/loop/warning.scn \
         --set=scenario.duration_s=2 --set=lead.gap_m="$start_m" --set=lead.speed_mps="$3" \
         --set=ego.speed_mps="$(awk -v v="$2" -v lead="$3" 'BEGIN { print v + lead }')" \
-        --json "$json" --csv "$csv" >"$work/log" 2>&1
+        --json "$json" --csv "$csv" >"$out/log" 2>&1
     awk -F, -v v="$2" -v app="$1" '
     FILENAME ~ /cells/ {
         if (FNR == 1) next
@@ -56,23 +52,16 @@ late() {
         lead = lead == "null" ? 1e9 : lead + 0 # null: it never brakes hard
         if (lead < owed) print "warned " lead " s ahead, owed " owed
         if (lead < 0.8 && at_s > 0.17) print "warned " lead " s ahead and " at_s " s after the target came into sight"
-    }' "$work/cells_$1" "$json" "$csv"
+    }' "$out/cells_$1" "$json" "$csv"
 }
 
-build/fistab table tables/brake.fis --name=lut --csv="$work/cells_brake" -o "$work/lut.h"
-build/fistab table tables/brake_tuned.fis --name=lut --csv="$work/cells_tuned" -o "$work/lut.h"
+build/fistab table tables/brake.fis --name=lut --csv="$out/cells_brake" -o "$out/lut.h"
+build/fistab table tables/brake_tuned.fis --name=lut --csv="$out/cells_tuned" -o "$out/lut.h"
 for app in brake tuned; do
     for v in 2 2.5 2.9 3 3.5 4 5; do
         for lead in 0 2; do
-            wrong=$(late $app $v $lead)
-            name="${app}_closing_at_${v}_on_a_car_at_$lead"
-            if [ -z "$wrong" ]; then
-                echo "$place:$LINENO:$name:PASS"
-            else
-                echo "$place:$LINENO:$name:FAIL: $wrong"
-                failed=1
-            fi
+            faultless "${app}_closing_at_${v}_on_a_car_at_$lead" "$(late $app $v $lead)"
         done
     done
 done
-exit $failed
+finish
