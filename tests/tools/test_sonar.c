@@ -266,6 +266,18 @@ static void test_that_a_stuck_sensor_repeats_its_last_reading(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 3, read_m(180 * ms, INFINITY));
 }
 
+static void test_that_a_sensor_stuck_before_it_saw_anything_says_no_target(void)
+{
+    static const double first_m[] = {INFINITY, 7, 0.01}; /* nothing, beyond max_m, below min_m */
+
+    for (int i = 0; i < 3; i++) {
+        fault(FAULT_STUCK, 0);
+        begin(1);
+        TEST_ASSERT_EQUAL_DOUBLE(INFINITY, read_m(0, first_m[i]));
+        TEST_ASSERT_EQUAL_DOUBLE(INFINITY, read_m(60 * ms, 2)); /* for ever */
+    }
+}
+
 static void test_that_garbage_has_nothing_to_do_with_the_distance(void)
 {
     double low = INFINITY, high = 0;
@@ -371,6 +383,7 @@ int main(void)
     RUN_TEST(test_that_an_unplugged_line_goes_high_and_cuts_the_echo);
     RUN_TEST(test_that_a_dead_line_ends_an_echo_early);
     RUN_TEST(test_that_a_stuck_sensor_repeats_its_last_reading);
+    RUN_TEST(test_that_a_sensor_stuck_before_it_saw_anything_says_no_target);
     RUN_TEST(test_that_garbage_has_nothing_to_do_with_the_distance);
     RUN_TEST(test_that_a_wrong_sensor_scales_and_shifts);
     RUN_TEST(test_that_a_slow_sensor_skips_triggers);

@@ -15,6 +15,9 @@ enum {
     PAST_NS = 2000 /* a mark is passed up to a cycle late */
 };
 
+_Static_assert(WORLD_FIRST_INPUT_NS >= (RUN_QUANTUM_US + RUN_MARGIN_US) * 1000,
+               "a world's first input must not be due before the loop knows of the first trigger");
+
 struct loop {
     struct run *run;
     const struct run_setup *setup;

@@ -226,11 +226,14 @@ static struct reading spoil(struct sonar *sonar, int index, struct reading readi
     const struct fault *fault = &sonar->faults[index];
 
     switch (fault->kind) {
-    case FAULT_STUCK:
-        if (sonar->stuck_m[index] < 0) {
-            sonar->stuck_m[index] = sonar->last_m >= 0 ? sonar->last_m : reading.dist_m;
+    case FAULT_STUCK: /* at "no target", if the sensor has never seen one */
+        if (sonar->stuck_m[index] < 0 && sonar->last_m >= 0) {
+            sonar->stuck_m[index] = sonar->last_m;
+        } else if (sonar->stuck_m[index] < 0) {
+            sonar->stuck_m[index] = reading.kind == READ_TARGET ? reading.dist_m : INFINITY;
         }
-        return (struct reading){READ_TARGET, sonar->stuck_m[index]};
+        return isinf(sonar->stuck_m[index]) ? (struct reading){READ_NONE, INFINITY}
+                                            : (struct reading){READ_TARGET, sonar->stuck_m[index]};
     case FAULT_GARBAGE: /* any echo time up to the no-target pulse */
         return (struct reading){READ_TARGET,
                                 garbage * sonar->sensor.no_echo_us * 1e-6 * sonar->sound_mps / 2};

@@ -114,6 +114,11 @@ static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enu
 
 /* --- life and outcome --------------------------------------------------------------------- */
 
+static int64_t not_too_early(int64_t t_ns)
+{
+    return t_ns < WORLD_FIRST_INPUT_NS ? WORLD_FIRST_INPUT_NS : t_ns;
+}
+
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
     struct world *world = base_create(sizeof *world);
@@ -122,7 +127,7 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     rig_init(&world->rig, scenario, step_ns);
     sonar_init(&world->sonar, scenario, seed);
     world->override.next = scenario->override.from_s >= 0 ? 0 : 2;
-    world->override.at_ns[0] = (int64_t)llround(scenario->override.from_s * 1e9);
+    world->override.at_ns[0] = not_too_early((int64_t)llround(scenario->override.from_s * 1e9));
     world->override.at_ns[1] =
         (int64_t)llround((scenario->override.from_s + scenario->override.for_s) * 1e9);
     return world;
@@ -138,11 +143,7 @@ static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
     rig_start(&world->rig, levels);
     sonar_observe(&world->sonar, 0, car_gap_m(&world->rig.car));
-    world->mark_ns = sonar_boundary_ns(&world->sonar, -1);
-    if (world->mark_ns == 0) {
-        sonar_pass_boundary(&world->sonar, 0);
-        world->mark_ns = sonar_boundary_ns(&world->sonar, 0);
-    }
+    world->mark_ns = not_too_early(sonar_boundary_ns(&world->sonar, -1));
 }
 
 static void values(const struct world *world, double row[WORLD_COLUMNS])

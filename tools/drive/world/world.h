@@ -12,7 +12,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { WORLD_COLUMNS = 12, WORLD_STEP_NS = 1000000, WORLD_ROW_NS = 10000000, WORLD_BYTES = 64 };
+enum {
+    WORLD_COLUMNS = 12,
+    WORLD_STEP_NS = 1000000,
+    WORLD_ROW_NS = 10000000,
+    WORLD_BYTES = 64,
+    /* No input changes earlier than this: the caller notices the first trigger up to one sync late,
+     * so what a scenario starts at 0 s reaches the pins now. */
+    WORLD_FIRST_INPUT_NS = 450000
+};
 
 struct world;
 
