@@ -49,10 +49,10 @@ endif
 .PHONY: all tools firmware format lint deps clean help FORCE
 all: tools firmware   ## tools, and the firmware of all boards with the memory that each image takes
 
-include tools/rules.mk firmware/rules.mk tests/rules.mk
+include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
 
 # These install what they need first.
-TARGETS := demo report bench test test-long fuzz
+TARGETS := demo report bench test test-long fuzz pictures
 .PHONY: $(TARGETS)
 demo:      ## a car stops behind another one: the real firmware in the simulator
 report:    ## every controller on every scenario, as build/report/index.html
@@ -60,6 +60,7 @@ bench:     ## cycles, bytes and stack of each image; speed of fistab and drive
 test:      ## the tests; ends with 'N passed, N failed'
 test-long: ## drives that take longer: other controllers, ten minutes, the other estimator
 fuzz:      ## odd input for fistab, for FUZZ_SECONDS
+pictures:  ## the pictures in docs/pictures
 $(TARGETS):
 	@tools/deps.sh $(@:-long=)
 	@$(MAKE) run-$@

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a make target needs and the machine lacks; says what it does; does nothing when all
 # is there. Packages come from the machine's own Debian sources by name. `make` calls it; by hand:
-#     tools/deps.sh [build|demo|test|bench|fuzz|report|golden|format|lint|flash]...
+#     tools/deps.sh [build|demo|test|bench|fuzz|report|golden|pictures|format|lint|flash]...
 set -eu
 cd "$(dirname "$0")/.."
 unity=build/deps/unity
@@ -16,11 +16,12 @@ packages_for() {
     fuzz) echo "$build clang libclang-rt-14-dev" ;;
     report) echo "$build gnuplot-nox parallel rsync" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
+    pictures) echo "$build gnuplot-nox pngquant" ;;
     format) echo "clang-format-19" ;;
     lint) echo "$build shellcheck cppcheck" ;;
     flash) echo "avrdude pipx" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, test, bench, fuzz, report, golden, format, lint or flash" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, test, bench, fuzz, report, golden, pictures, format, lint or flash" >&2
         exit 2
         ;;
     esac

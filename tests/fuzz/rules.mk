@@ -2,7 +2,7 @@
 FUZZ_SRC := tests/fuzz/fuzz_fis.c $(filter-out %/main.c,$(fistab_SRC))
 build/fuzz/fuzz_fis: $(FUZZ_SRC) $(wildcard tools/*/*.h)
 	@mkdir -p $(@D)
-	$(Q)clang -g -O1 -std=c11 -D_GNU_SOURCE -Itools/common -Itools -fsanitize=fuzzer,address,undefined \
+	$(Q)clang -g -O1 -std=c11 -D_GNU_SOURCE -Itools/common -Itools -DFUZZY51_VERSION='"$(VERSION)"' -fsanitize=fuzzer,address,undefined \
 	    -fno-sanitize-recover=all $(FUZZ_SRC) -lm -o $@
 .PHONY: run-fuzz
 run-fuzz: build/fuzz/fuzz_fis
