@@ -1,4 +1,4 @@
-/* expect: interrupt 'overflow' uses '_scale_PARM_2', which shares its place with the */
+/* expect: interrupt 'overflow' uses '_scale_PARM_2', which shares its place with the locals of main; make it static */
 #include <8052.h>
 
 static volatile unsigned char sum;
