@@ -1,0 +1,207 @@
+#!/bin/bash
+# What README.md and docs/*.md say is so: links and paths exist, options and knobs are known, commands
+# print what the pages show, figures are those of the sources. tests/tools/pages.awk explains the parts.
+. tests/lib.sh
+board=stc89c516rd
+pages=(README.md docs/*.md)
+awk -f tests/tools/pages.awk "${pages[@]}" >"$out/items"
+
+items() { # KIND [PAGE]: lines of PLACE <tab> TEXT
+    awk -F '\t' -v OFS='\t' -v kind="$1" -v page="${2:-}" \
+        '$2 == kind && (page == "" || index($1, page ":") == 1) { print $1, $3 }' "$out/items"
+}
+
+# --- links, paths, sizes -------------------------------------------------------------------------------
+# A heading's anchor, as the usual viewers make it.
+anchors() {
+    sed -n 's/^##* //p' "$1" | tr '[:upper:]' '[:lower:]' | sed 's/[^a-z0-9 _-]//g; s/ /-/g'
+}
+wrong_links() {
+    local place target file anchor
+    while IFS=$'\t' read -r place target; do
+        case $target in http*://* | mailto:*) continue ;; esac
+        file=${target%%#*}
+        anchor=${target#"$file"}
+        file=${file:+$(dirname "${place%:*}")/$file}
+        file=${file:-${place%:*}}
+        [ -e "$file" ] || echo "$place: no file '$target'"
+        [ -z "$anchor" ] || anchors "$file" | grep -qx -- "${anchor#\#}" || echo "$place: no heading '$target'"
+    done < <(items link)
+}
+faultless "links lead somewhere" "$(wrong_links)"
+faultless "README.md links to each page" "$(for page in docs/*.md; do grep -qF "($page)" README.md || echo "$page"; done)"
+faultless "each picture is shown" "$(for file in docs/pictures/*.svg docs/pictures/*.png; do grep -qF "${file#docs/}" "${pages[@]}" || echo "$file"; done)"
+[ "$(cat docs/pictures/*.svg docs/pictures/*.png | wc -c)" -le $((300 * 1024)) ]
+say "the pictures take 300 KB at most" $? "$(du -bc docs/pictures/* | tail -n 1)"
+[ "$(wc -l <README.md)" -le 120 ]
+say "README.md has 120 lines at most" $? "$(wc -l <README.md)"
+
+# NAME, APP, BOARD, DIR and X stand for any name. What make leaves in build is not looked for, but for the
+# tools.
+wrong_paths() {
+    local place text word
+    while IFS=$'\t' read -r place text; do
+        for word in $text; do
+            word=${word%[,.;:]}
+            case $word in
+            build/fistab | build/drive | build/bound | build/lab) [ -x "$word" ] || echo "$place: no tool '$word'" ;;
+            firmware/* | tools/* | tests/* | tables/* | docs/* | .ci/*)
+                compgen -G "$(sed -E 's/(NAME|APP|BOARD|FILE|DIR)/*/g' <<<"$word")" >/dev/null || echo "$place: no '$word'"
+                ;;
+            esac
+        done
+    done < <(items code; items command)
+}
+set -f
+faultless "paths exist" "$(wrong_paths)"
+set +f
+
+# --- options and knobs ---------------------------------------------------------------------------------
+for tool in "fistab eval" "fistab check" "fistab table" "fistab plot" drive bound lab; do
+    # shellcheck disable=SC2086  # a tool and its command
+    build/$tool --help >"$out/help_${tool/ /_}"
+done
+helps=("$out"/help_*)
+make help >"$out/make_help"
+options_of() { # HELP...
+    cat "$@" | grep -oE -- '--[a-z][a-z-]*' | sort -u
+}
+wrong_options() {
+    local place text word help
+    while IFS=$'\t' read -r place text; do
+        help=("${helps[@]}")
+        [[ $text =~ ^(build/)?(fistab|drive|bound|lab)\ ([a-z]+) ]] && {
+            help=("$out/help_${BASH_REMATCH[2]}")
+            [ -e "${help[0]}" ] || help=("${help[0]}_${BASH_REMATCH[3]}")
+            [ -e "${help[0]}" ] || { echo "$place: no command '${BASH_REMATCH[0]}'"; continue; }
+        }
+        for word in $text; do
+            [[ $word == --[a-z]* ]] || continue
+            options_of "${help[@]}" | grep -qx -- "${word%%=*}" || echo "$place: no option '$word'"
+        done
+    done < <(items code; items command)
+}
+set -f
+faultless "options exist" "$(wrong_options)"
+
+wrong_make() {
+    local place text words word
+    while IFS=$'\t' read -r place text; do
+        eval "words=($text)" # as a shell takes it apart, with quotes
+        [ "${words[0]:-}" = make ] || continue
+        for word in "${words[@]:1}"; do
+            case $word in
+            -*) ;;
+            *=*) grep -qE "^  ${word%%=*}=" "$out/make_help" || echo "$place: no knob '$word'" ;;
+            */*) [ -e "$word" ] || echo "$place: no '$word'" ;;
+            *) grep -qE "^  $word " "$out/make_help" || echo "$place: no target '$word'" ;;
+            esac
+        done
+    done < <(items code; items command)
+}
+faultless "targets and knobs of make exist" "$(wrong_make)"
+set +f
+
+# --- output --------------------------------------------------------------------------------------------
+# What a console block shows below a command is what that prints; a line "..." stands for any lines. What
+# the long ones print is taken from what they call.
+output_of() { # COMMAND
+    case $1 in
+    "make demo") tools/demo.sh $board ;;
+    "make test") tests/run.sh "echo a:1:b:PASS" | sed 's/^[0-9]* passed/N passed/' ;;
+    build/fistab\ * | build/drive\ *) bash -c "$1" ;;
+    *) echo "no way to check this command" ;;
+    esac 2>&1 </dev/null
+}
+awk -F '\t' -v out="$out/shown" '
+    $2 == "command" { command = $3; place = $1; next }
+    $2 == "output" && command != "" { n++; print command >(out n ".command"); print place >(out n ".place"); command = "" }
+    $2 == "output" { print $3 >(out n ".lines") }
+    $2 == "end" { command = "" }' "$out/items"
+for file in "$out"/shown*.command; do
+    output_of "$(cat "$file")" >"${file%.command}.output"
+    fault=$(awk '
+        FNR == NR { wanted[++count] = $0; next }
+        { got[++lines] = $0 }
+        END {
+            at = 1
+            for (i = 1; i <= count; i++) {
+                if (wanted[i] == "...") { any = 1; continue }
+                while (any && at <= lines && got[at] != wanted[i]) at++
+                if (got[at] != wanted[i]) { print "does not print: " wanted[i]; exit }
+                at++; any = 0
+            }
+            if (!any && at <= lines) print "also prints: " got[at]
+        }' "${file%.command}.lines" "${file%.command}.output")
+    faultless "$(cat "${file%.command}.place") $(cat "$file")" "$fault"
+done
+
+shows() { # NAME PATTERN FILE PAGE: the blocks of PAGE have lines of that form, and each is a line of FILE
+    items block "$4" | cut -f2 | grep -E -- "$2" >"$out/seen"
+    [ -s "$out/seen" ] && ! grep -vxF -f "$3" "$out/seen" >"$out/untrue"
+    say "$1" $? "not so: $(head -n 1 "$out/untrue")"
+}
+drive=(build/drive run --board "$board" --scenario)
+"${drive[@]}" tests/loop/standing_car_3mps.scn --uart "$out/log" >/dev/null
+for character in '?' s; do
+    "${drive[@]}" tests/loop/standing_car_3mps.scn --set uart.at_s=0.5 --set "uart.send=$character" --uart "$out/answer" >/dev/null
+    cat "$out/answer" >>"$out/log"
+done
+tr -d '\r' <"$out/log" >"$out/uart"
+shows "what the serial line says" '^(# (\?|state|fuzzy51 [0-9])|seq,|[0-9]+,)' "$out/uart" docs/brake.md
+cat firmware/*/main.c | grep -oE '"seq,[a-z0-9_,]*' | tr -d '"' >"$out/headers"
+shows "the telemetry of the frame-fed controllers" '^seq,' "$out/headers" docs/controllers.md
+sed 's/; deepest.*//' "build/$board/brake.bound" >"$out/bound"
+sed -n 's/; deepest.*//p' docs/bound.md >>"$out/bound.shown"
+shows "the bounds" '^(pwm_interrupt|control_step): ' "$out/bound" docs/bound.md
+[ -s "$out/bound.shown" ] && grep -qxF -f "$out/bound.shown" "$out/bound"
+say "the stack's bound" $? "$(cat "$out/bound.shown")"
+items block docs/drive.md | cut -f2 | sed -n '/^\[scenario\]$/,$p' >"$out/shown.scn"
+"${drive[@]}" "$out/shown.scn" >"$out/said" 2>&1
+say "the scenario shown" $? "$(head -n 1 "$out/said")"
+
+# --- figures -------------------------------------------------------------------------------------------
+wrong_figures() {
+    local place name value
+    while IFS=$'\t' read -r place text; do
+        name=${text%% = *}
+        value=${text##* = }
+        grep -qE "^#define +$name +$value(U|UL|L)?( |\$)" -r firmware --include='*.h' || echo "$place: not '$text'"
+    done < <(items holds)
+}
+faultless "the constants" "$(wrong_figures)"
+
+has_row() { # PAGE START: PAGE has a table row that begins so
+    items row "$1" | cut -f2 | grep -qF -- "$2" || echo "$1: no row '$2'"
+}
+knob_of() { # FILE KNOB
+    sed -nE "s/^$2 *:= *//p" "$1"
+}
+rows_of_boards() {
+    local file
+    for file in firmware/boards/*.mk; do
+        has_row docs/boards.md "| \`$(basename "$file" .mk)\` |"
+        has_row docs/boards.md "| $(awk -v hz="$(knob_of "$file" CLK_HZ)" 'BEGIN { print hz / 1e6 }') MHz | $(($(knob_of "$file" CODE_BYTES) / 1024)) KB | $(knob_of "$file" ENCODING) |"
+    done
+}
+faultless "the boards" "$(rows_of_boards)"
+# 0x90 is P1.0, 0xB2 is P3.2.
+rows_of_pins() {
+    sed -nE 's/^PIN_([A-Z]+) *:= *(0x[0-9A-F]+).*/\1 \2/p' firmware/pins.mk | while read -r name address; do
+        has_row docs/wiring.md "| P$(((address - 0x80) >> 4)).$((address & 7)) | $name |"
+    done
+}
+faultless "the pins" "$(rows_of_pins)"
+# Faults are numbered from 1 in the order of the enum.
+faults_in() { # HEADER ENUM
+    sed -n "/^enum $2 {/,/^}/p" "$1" | grep -cE '^ *[A-Z_]+FAULT_[A-Z_]+,'
+}
+fault_rows() { # PAGE: the numbers in the table below "| fault |"
+    items row "$1" | cut -f2 | awk -F ' *[|] *' '$2 == "fault" { is_on = 1; next } is_on && $2 ~ /^[0-9]+$/ { print $2; next } $2 !~ /^-/ { is_on = 0 }'
+}
+for pair in "docs/brake.md firmware/brake/brake.h brake_fault" "docs/controllers.md firmware/frames/frames.h frames_fault"; do
+    read -r page header enum <<<"$pair"
+    [ "$(fault_rows "$page" | xargs)" = "$(seq "$(($(faults_in "$header" "$enum") - 1))" | xargs)" ]
+    say "the faults in $page" $? "listed: $(fault_rows "$page" | xargs); in $header: $(faults_in "$header" "$enum") with none"
+done
+finish
