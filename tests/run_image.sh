@@ -13,7 +13,7 @@ cpu_seconds=120 # processor time, so that a busy machine fails no test
 
 # s51 quits when its input ends. Its input is a pipe that `sleep` keeps open and never writes to.
 coproc open_pipe { exec sleep $((cpu_seconds * 20 + 5)); }
-timeout -k 1 $((cpu_seconds * 20)) prlimit --cpu="$cpu_seconds" s51 -t C52 -q -b -R 1 -G \
+timeout -k 1 $((cpu_seconds * 20)) prlimit --cpu="$cpu_seconds" tools/s51 -t C52 -q -b -R 1 -G \
     -I "if=xram[0xffff]${2:+,out=$2}" "$1" <&"${open_pipe[0]}" 2>&1
 status=$?
 kill "$open_pipe_PID" 2>/dev/null

@@ -14,15 +14,22 @@ static volatile __idata uint8_t signature[3];
 #define POWER_OFF   0x10U /* POF: set by power coming up, cleared by us; 0 where there is none */
 
 #define STACK_PAINT 0xAA
-#define RAM_TOP     0xFFU
+#define RAM_TOP     0xFF
 
 __sfr __at(0xE1) WDT_CONTR; /* STC89 */
 __sfr __at(0xA6) WDTRST;    /* AT89S52 */
 
 static bool ram_is_good;
 
+/* Since version 4.3 SDCC's start-up calls this function by another name. */
+#if __SDCC_VERSION_MAJOR > 4 || (__SDCC_VERSION_MAJOR == 4 && __SDCC_VERSION_MINOR >= 3)
+#define EXTERNAL_STARTUP __sdcc_external_startup
+#else
+#define EXTERNAL_STARTUP _sdcc_external_startup
+#endif
+
 /* Runs before anything else, on an empty stack; 0 lets SDCC's start-up initialise the variables. */
-unsigned char _sdcc_external_startup(void)
+unsigned char EXTERNAL_STARTUP(void)
 {
     uint8_t cause = HAL_RESET_POWER;
 
@@ -50,26 +57,30 @@ uint8_t hal_reset_cause(void)
     return (PCON & CAUSE_MASK) >> CAUSE_SHIFT;
 }
 
-/* Each byte but the eight registers that this runs in takes two patterns and gets its own back. */
-static bool test_ram(void)
+/* Each byte but the eight registers that this runs in takes two patterns and gets its own back. In
+ * assembly, because SDCC 4.5 drops reads through a pointer to volatile bytes: it compares with what
+ * it has just written there. */
+static bool test_ram(void) __naked
 {
-    uint8_t __idata *byte = (uint8_t __idata *)RAM_TOP;
-
-    do {
-        volatile uint8_t __idata *cell = byte;
-        uint8_t kept = *cell;
-        *cell = 0x55;
-        if (*cell != 0x55) {
-            return false;
-        }
-        *cell = 0xAA;
-        if (*cell != 0xAA) {
-            return false;
-        }
-        *cell = kept;
-        byte--;
-    } while ((uint8_t)byte >= 8); /* rounds: 248 */
-    return true;
+    /* clang-format off */
+    __asm
+        mov     r0, #RAM_TOP
+    00001$:
+        mov     a, @r0              ; kept
+        mov     @r0, #0x55
+        cjne    @r0, #0x55, 00002$
+        mov     @r0, #0xAA
+        cjne    @r0, #0xAA, 00002$
+        mov     @r0, a
+        dec     r0
+        cjne    r0, #7, 00001$
+        mov     dpl, #1
+        ret
+    00002$:
+        mov     dpl, #0
+        ret
+    __endasm; /* rounds: 248 */
+    /* clang-format on */
 }
 
 static void paint_stack(void)

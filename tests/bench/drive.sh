@@ -34,7 +34,7 @@ free_run() {
     mkfifo "$out/console"
     exec 3<>"$out/console" # s51 leaves early when its input is closed
     printf 'step 8000000\nquit\n' >&3
-    { time s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,out=$out/uart" -e 'set bit pin3.2 0' "$image" \
+    { time tools/s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,out=$out/uart" -e 'set bit pin3.2 0' "$image" \
         <"$out/console" >"$out/free.log" 2>/dev/null; } 2>"$out/time"
     exec 3>&-
     awk -v hz="$clk_hz" 'NR == FNR { cpu = $2 + $3; next } { print $2 / hz, cpu }' \

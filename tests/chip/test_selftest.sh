@@ -24,10 +24,11 @@ blinks() { # FROM_US
 
 # Runs the image for 150 readings: 2.4 s of echoes of 3 m, the override or not, more of them, and at
 # last two of 0.6 m.
-run() { # IMAGE press|high|""
+run() { # IMAGE press|high|stuck|""
     local first
     s51_start "$board" "$1"
     if [ "$2" = high ]; then s51_pin 2 echo 1; fi
+    if [ "$2" = stuck ]; then stick; fi
     s51_until 330000
     first=$(s51_first_trigger)
     if [ "$2" = high ]; then s51_pin 335000 echo 0; fi
@@ -68,6 +69,33 @@ check "a_flipped_bit_lasts" never_leaves 8
 check "a_flipped_bit_still_stops" stops
 check "a_flipped_bit_blinks_2" [ "$(blinks 400000)" = 2 ]
 s51_clean
+
+# A bit of RAM that keeps its level: right after each of the test's two patterns is written there, the
+# byte takes the value that such a bit leaves.
+stick() { # uses S51_SETS, $bit and $level
+    local time_us byte
+    while read -r time_us byte; do
+        byte=$(((2#$byte & ~(1 << bit)) | level << bit))
+        s51_set "$time_us" "$byte"
+    done <"$out/patterns"
+}
+patterns() { # CELL: when each pattern is written there, and the pattern
+    s51_start "$board" "build/$board/brake.ihx" "$1"
+    s51_until 20000
+    s51_stop
+    s51_edges "$1" | awk '$2 == "01010101" || $2 == "10101010" { printf "%d %s\n", $1, $2 }' | head -n 2
+    s51_clean
+}
+for case in "0x08 0 0" "0x50 7 1" "0xff 5 0"; do
+    read -r cell bit level <<<"$case"
+    patterns "iram[$cell]" >"$out/patterns"
+    check "both_patterns_are_written_to_$cell" [ "$(wc -l <"$out/patterns")" -eq 2 ]
+    S51_SETS="iram[$cell]" run "build/$board/brake.ihx" stuck
+    check "bit_${bit}_of_${cell}_stuck_at_${level}_is_fault_9" shows 9
+    check "bit_${bit}_of_${cell}_stuck_at_${level}_lasts" never_leaves 9
+    check "bit_${bit}_of_${cell}_stuck_at_${level}_blinks_3" [ "$(blinks 400000)" = 3 ]
+    s51_clean
+done
 
 run "build/$board/tests/chip/brake_overflow.ihx" press
 check "a_full_stack_is_fault_10" shows 10

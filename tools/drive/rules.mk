@@ -14,7 +14,7 @@ build/boards.h: tools/drive/rules.mk tools/drive/boards.awk firmware/pins.mk fir
 
 # The image that drive runs to see whether a simulator keeps time.
 tools: build/canary.ihx
-build/canary.ihx: tools/drive/sim/canary_image.c
+build/canary.ihx: tools/drive/sim/canary_image.c firmware/mcu/phase.h
 	@mkdir -p build/canary
-	$(Q)sdcc -mmcs51 --std-c11 --Werror $< -o build/canary/canary.ihx
+	$(Q)sdcc -mmcs51 --std-c11 --Werror -Ifirmware/mcu $< -o build/canary/canary.ihx
 	$(Q)mv build/canary/canary.ihx $@

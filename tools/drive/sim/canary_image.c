@@ -1,12 +1,19 @@
-/* The canary: measures a pulse on P3.2 with timer 0 and prints its length, while timer 2 interrupts
- * every 100 machine cycles and toggles P1.0. Built by SDCC, run by `drive canary`. */
+/* The canary: does with each timer what the firmware does with it. Timer 0 measures a pulse on
+ * P3.2, timer 1 interrupts every 5,000 machine cycles and toggles P1.0, timer 2 is the baud rate of
+ * the line that prints the pulse's length. Built by SDCC, run by `drive canary`. */
 #include <8052.h>
 #include <stdint.h>
+#include "phase.h"
 
-void tick(void) __interrupt(5) __using(1)
+#define TICK_MC     5000U
+#define BAUD_RELOAD (65536UL - 39U) /* 9,615 Bd at 12 MHz */
+
+static uint16_t reload;
+
+void tick(void) __interrupt(3)
 {
     P1_0 = !P1_0;
-    TF2 = 0;
+    PHASE_ADVANCE("1", "_reload", "(_reload + 1)");
 }
 
 static void put(char c)
@@ -29,18 +36,16 @@ static void put_decimal(uint16_t number)
 
 void main(void)
 {
-    TMOD = 0x29; /* timer 1: 8 bit with reload, for the line; timer 0: 16 bit, runs while P3.2 is
-                    high */
-    TH1 = 0xF3;
-    PCON = 0x80;
-    SCON = 0x40; /* 4800 baud: one character is 2,080 cycles */
+    reload = PHASE_RELOAD(TICK_MC);
+    TL1 = (uint8_t)PHASE_RELOAD(TICK_MC);
+    TH1 = (uint8_t)(PHASE_RELOAD(TICK_MC) >> 8);
+    TMOD = 0x19; /* timer 1: 16 bits; timer 0: 16 bits, runs while P3.2 is high */
+    RCAP2L = (uint8_t)BAUD_RELOAD;
+    RCAP2H = (uint8_t)(BAUD_RELOAD >> 8);
+    T2CON = 0x34; /* the baud rate, both directions */
+    SCON = 0x40;
     TR1 = 1;
-    RCAP2H = (uint8_t)((65536 - 100) >> 8);
-    RCAP2L = (uint8_t)(65536 - 100);
-    TH2 = RCAP2H;
-    TL2 = RCAP2L;
-    TR2 = 1;
-    ET2 = 1;
+    ET1 = 1;
     EA = 1;
     for (;;) {
         TR0 = 0;

@@ -14,7 +14,8 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-#define S51_VERSION "0.6.4" /* known to keep time */
+/* Versions that are known to keep time, as messages name them. */
+#define S51_VERSIONS "0.6.4 (Debian 12) or 0.8.15 (Debian 13)"
 
 enum {
     S51_MAX_PINS = 12,
@@ -78,6 +79,9 @@ struct s51 {
 /* Catches SIGINT, SIGTERM and SIGHUP, so that an interrupted run ends in S51_FAILED and cleans up.
  */
 void s51_catch_signals(void);
+
+/* Whether this version is known to keep time. */
+bool s51_is_known(const char *version);
 
 /* Asks s51 for its version. Returns EXIT_FINE, or EXIT_USAGE after a message. */
 int s51_version(char *version, size_t size);
