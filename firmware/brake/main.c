@@ -93,7 +93,7 @@ static void control_step(uint8_t echo)
 {
     is_measuring = false;
     if (echo == HAL_ECHO_DONE) {
-        dist_mm = range_mm(hal_echo_ticks());
+        dist_mm = range_mm(hal_echo_cycles());
         echo = range_kind(dist_mm);
     } else {
         echo = echo == HAL_ECHO_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;

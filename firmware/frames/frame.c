@@ -99,7 +99,7 @@ uint16_t frame_bad_count(void)
 
 uint16_t frame_u16(uint8_t at)
 {
-    return (uint16_t)((uint16_t)(frame_body[at] << 8) | frame_body[(uint8_t)(at + 1)]);
+    return (uint16_t)((uint16_t)frame_body[at] << 8 | frame_body[(uint8_t)(at + 1)]);
 }
 
 int32_t frame_i24(uint8_t at)

@@ -3,14 +3,14 @@
 #include "cc51.h"
 
 static __idata uint16_t since_ms; /* up: the last good frame; waiting: the start */
-static __idata uint8_t good_row;
+static __idata uint8_t frames_good;
 static __idata uint8_t link;
 
 void link_init(uint8_t state, uint16_t now_ms)
 {
     link = state;
     since_ms = now_ms;
-    good_row = 0;
+    frames_good = 0;
 }
 
 bool link_good(uint16_t now_ms)
@@ -18,8 +18,8 @@ bool link_good(uint16_t now_ms)
     /* A frame that ends a silence does not undo it. */
     (void)link_check(now_ms);
     if (link != LINK_UP) {
-        good_row++;
-        if (good_row < LINK_GOOD_FRAMES) {
+        frames_good++;
+        if (frames_good < LINK_GOOD_FRAMES) {
             return false;
         }
         link = LINK_UP;
@@ -30,7 +30,7 @@ bool link_good(uint16_t now_ms)
 
 void link_bad(void)
 {
-    good_row = 0;
+    frames_good = 0;
 }
 
 uint8_t link_check(uint16_t now_ms)
@@ -40,7 +40,7 @@ uint8_t link_check(uint16_t now_ms)
     if ((link == LINK_UP && past_ms >= LINK_SILENCE_MS) ||
         (link == LINK_WAITING && past_ms >= LINK_START_MS)) {
         link = LINK_LOST;
-        good_row = 0;
+        frames_good = 0;
     }
     return link;
 }

@@ -1,6 +1,7 @@
-/* SDCC's 8051 keywords: themselves under SDCC, nothing elsewhere, so that host and chip read one
- * source. SDCC's own lint.h would also erase the plain words data, code, bit and at; do not use
- * those four as names, some SDCC versions know them. */
+/* SDCC's words for the memories and interrupts of the 8051. SDCC sees them as they are; for every
+ * other compiler they are erased, so that the host and the chip read one source. SDCC's own lint.h
+ * would erase the plain words data, code, bit and at as well. Some versions of SDCC know these four
+ * as keywords: do not use them as names. */
 #ifndef FUZZY51_CC51_H
 #define FUZZY51_CC51_H
 

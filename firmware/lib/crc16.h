@@ -1,5 +1,5 @@
 /* CRC-16/CCITT-FALSE, the check sum of tables and frames: polynomial x^16 + x^12 + x^5 + 1, start
- * 0xFFFF, nothing reflected; over "123456789" it is 0x29B1. */
+ * value 0xFFFF, no reflection. The sum of the nine characters "123456789" is 0x29B1. */
 #ifndef FUZZY51_CRC16_H
 #define FUZZY51_CRC16_H
 
@@ -7,9 +7,9 @@
 
 #define CRC16_START 0xFFFFU
 
-/* Takes one byte into the sum that stands in `high` and `low`, two variables of type uint8_t: eight
- * steps of the polynomial at once, in bytes, no loop over bits and no table. About 25 mc. A macro,
- * because the two halves must stay in registers or direct memory of whoever uses it. */
+/* Adds one byte to the sum in `high` and `low`, two variables of type uint8_t. About 25 mc: all
+ * eight steps of the polynomial are done at once by shifts of bytes, without a loop or a table. It
+ * is a macro because the two halves must stay in registers or direct memory of the caller. */
 #define CRC16_ADD(high, low, byte)                                                                 \
     do {                                                                                           \
         uint8_t crc16_x = (uint8_t)((byte) ^ (high));                                              \

@@ -1,8 +1,9 @@
-/* Products of 16-bit numbers from four 8-bit ones. */
+/* Products of 16-bit numbers, made of products of bytes. */
 #include "fixed.h"
 
 #ifndef __SDCC_mcs51
-/* Elsewhere a compiler may want a copy to call; SDCC, told so, would never inline it again. */
+/* Other compilers may need a copy of an inline function that can be called. SDCC must not see these
+ * lines: with them it would call the copy and no longer inline it. */
 extern inline uint16_t mul_u8(uint8_t a, uint8_t b);
 extern inline uint16_t mul_hi_bytes(uint8_t a_high, uint8_t a_low, uint8_t b_high, uint8_t b_low);
 #endif

@@ -1,19 +1,32 @@
-/* Products that the 8051 makes with its own `mul ab`. A plain `a * b` of wider types calls SDCC's
- * __mulint or __mullong (up to 143 mc, and not safe in an interrupt), and its int has 16 bits. */
+/* Products made by the 8051's own `mul ab`. A plain `a * b` of wider types calls SDCC's __mulint or
+ * __mullong, which take up to 143 mc and are not safe in an interrupt. */
 #ifndef FUZZY51_FIXED_H
 #define FUZZY51_FIXED_H
 
 #include <stdint.h>
 
-/* a * b, every bit of it. 4 mc and the moves; always inline. */
+/* The whole product of two bytes. 4 mc and the moves; always inline.
+ *
+ * On the chip an int has 16 bits. There `a * b` of two bytes is a signed product, and 255 * 255 is
+ * more than an int can hold: C does not define it. SDCC makes one `mul ab` of it and keeps all 16
+ * bits, and of no other way to write it; the unit test tries all 65,536 pairs on the chip. For
+ * every other compiler the product is unsigned. */
+/*@ assigns \nothing;
+    ensures \result == a * b; */
 inline uint16_t mul_u8(uint8_t a, uint8_t b)
 {
-    /* SDCC takes the product of two bytes that lands in 16 unsigned bits as one `mul ab`. */
+#ifdef __SDCC_mcs51
     return (uint16_t)(a * b);
+#else
+    return (uint16_t)((uint32_t)a * b);
+#endif
 }
 
-/* (a * b) >> 16, from the bytes of a and b: the part of a that b / 65536 says, rounded down. Four
- * `mul ab`, about 50 mc, whatever the values; always inline. */
+/* The upper half of the product of two 16-bit numbers a and b, given by their bytes: a * b / 65536,
+ * rounded down. So b is a fraction of 65536, and the result is that fraction of a. Four `mul ab`;
+ * about 50 mc for all values; always inline. */
+/*@ assigns \nothing;
+    ensures \result == ((a_high * 256 + a_low) * (b_high * 256 + b_low)) / 65536; */
 inline uint16_t mul_hi_bytes(uint8_t a_high, uint8_t a_low, uint8_t b_high, uint8_t b_low)
 {
     uint16_t sum, result;
@@ -30,10 +43,15 @@ inline uint16_t mul_hi_bytes(uint8_t a_high, uint8_t a_low, uint8_t b_high, uint
     return result;
 }
 
-/* The same as a call, 72 mc with return. Not for an interrupt that main's code shares it with. */
+/* a * b / 65536, rounded down, as a function: 72 mc with call and return. An interrupt must not
+ * call it, because SDCC keeps its arguments at fixed addresses. */
+/*@ assigns \nothing;
+    ensures \result == (a * b) / 65536; */
 uint16_t mul_hi_u16(uint16_t a, uint16_t b);
 
-/* a * b, every bit of it. About 120 mc; not for an interrupt that main's code shares it with. */
+/* The whole product of two 16-bit numbers. About 120 mc; an interrupt must not call it. */
+/*@ assigns \nothing;
+    ensures \result == a * b; */
 uint32_t mul_u16(uint16_t a, uint16_t b);
 
 #endif

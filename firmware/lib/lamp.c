@@ -8,6 +8,9 @@
 static uint8_t shown, blinks_left, phase_cs;
 static bool is_lit;
 
+/*@ assigns shown, blinks_left, phase_cs, is_lit;
+    ensures shown == pattern;
+    ensures pattern > LAMP_ON && \old(shown) != pattern ==> \result; */
 bool lamp_tick(uint8_t pattern)
 {
     if (pattern != shown) {

@@ -1,4 +1,4 @@
-/* Table look-up and its check sum. */
+/* Look-up in the table, and the table's check sum. */
 #define LUT_DATA
 #include "lut.h"
 #include "fixed.h"
@@ -9,9 +9,9 @@
 
 #if LUT_PACKED
 
-/* The parts of the table, and how they make a cell, stand in tools/fistab/pack.h. Nearly every
- * index is a variable of one byte, as SDCC then reads the part by one `movc` from a fixed address;
- * an expression in its place is an int. */
+/* tools/fistab/pack.h describes the parts of the table and how they make a cell. Nearly every index
+ * is a variable of one byte: then SDCC reads the part by one `movc` from a fixed address. With an
+ * expression instead, which is an int, it would not. */
 #define CHANGES(block) (lut_out1 + 0)[block]
 #define RUNS(block)    (lut_out1 + LUT_RUNS_AT)[block]
 #define PAGES(strip)   (lut_out1 + LUT_PAGES_AT)[strip]
@@ -19,7 +19,7 @@
 #define BASES(run)     (lut_out1 + LUT_BASES_AT)[run]
 #define SHAPES(place)  (lut_out1 + LUT_SHAPES_AT)[place]
 
-/* Bits 0..i, and how many of four bits are set. */
+/* Bits 0..i set; and the number of ones in four bits. */
 static const uint8_t __code bits_up_to[8] = {1, 3, 7, 15, 31, 63, 127, 255};
 static const uint8_t __code ones[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
@@ -45,13 +45,13 @@ uint8_t lut_at(uint8_t row, uint8_t col)
     block = (uint8_t)(row >> 3);
     block += (block_index)(strip * (uint8_t)LUT_BLOCKS);
 
-    /* From here on `row` is the block's change bits up to the row: one a run that began. */
+    /* From here on `row` holds the block's change bits up to the row: a one for each new run. */
     row = bits_up_to[(uint8_t)(row & 7)];
     row &= CHANGES(block);
     run_low = RUNS(block);
     run_low += ones[(uint8_t)(row >> 4)];
     run_low += ones[(uint8_t)(row & 15)];
-    run = (uint16_t)(PAGES(strip) << 8) | run_low;
+    run = (uint16_t)((uint16_t)PAGES(strip) << 8 | run_low);
     col += STARTS(run);
     return (uint8_t)(BASES(run) + SHAPES(col));
 }
@@ -82,14 +82,16 @@ uint8_t lut2_at3(uint8_t first, uint8_t second, uint8_t third)
 
 uint8_t lut_at(uint8_t row, uint8_t col)
 {
-    /* As rows of bytes SDCC indexes it by one `mul ab`; row * CELLS + col would take 15 mc more. */
+    /* SDCC indexes rows of bytes by one `mul ab`; row * CELLS + col would take 15 mc more. */
     return lut_out1[row][col];
 }
 
 #endif
 
 #if LUT_IS_NODES && LUT_INPUTS == 2
-/* From `low` to `high`, rounded down. */
+/* The value at part_q8 / 256 of the way from `low` to `high`, rounded down. */
+/*@ assigns \nothing;
+    ensures \min(low, high) <= \result <= \max(low, high); */
 static uint8_t between(uint8_t low, uint8_t high, uint8_t part_q8)
 {
     if (high >= low) {
@@ -129,5 +131,5 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
         }
 #endif
     } while (--count != 0); /* rounds: 16, a slice of selftest.c */
-    return (uint16_t)((uint16_t)(high << 8) | low);
+    return (uint16_t)((uint16_t)high << 8 | low);
 }

@@ -5,8 +5,13 @@
 #define SLICE_BYTES 16U
 
 static uint16_t crc = LUT_CRC16_START;
-static uint16_t offset;
+static uint16_t offset; /* bytes that are in the sum */
 
+/*@ requires offset < LUT_BYTES;
+    assigns crc, offset;
+    ensures offset == \min(\old(offset) + SLICE_BYTES, LUT_BYTES);
+    ensures \result == SELFTEST_RUNNING <==> offset < LUT_BYTES;
+    ensures \result == SELFTEST_PASSED <==> (offset == LUT_BYTES && crc == LUT_CRC16); */
 uint8_t selftest_table(void)
 {
     uint16_t left = LUT_BYTES - offset;

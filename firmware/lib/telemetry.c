@@ -8,13 +8,13 @@ static const uint16_t __code POWERS[] = {10000, 1000, 100, 10, 1};
 #define DECIMAL_END      5U
 #define HEX_DIGITS       4U
 
-static const char __code *rest;     /* of the format; 0: no line */
-static const char __code *text;     /* a value being copied; 0: none */
-static uint8_t value;               /* the next one's index */
-static uint16_t number;             /* what is left of a number being printed */
-static uint8_t power = DECIMAL_END; /* its next digit's; DECIMAL_END: none */
-static uint8_t hex_digits;          /* still to print */
-static bool is_leading;             /* no digit of it is out yet, so zeros stay out */
+static const char __code *rest;     /* the rest of the format; 0: no line is being sent */
+static const char __code *text;     /* the rest of a text value; 0: none is being sent */
+static uint8_t value;               /* the index of the next value */
+static uint16_t number;             /* the rest of the number being sent */
+static uint8_t power = DECIMAL_END; /* the power of its next digit; DECIMAL_END: no number */
+static uint8_t hex_digits;          /* hexadecimal digits still to send */
+static bool is_leading;             /* no digit of the number was sent, so zeros are left out */
 
 bool telemetry_is_busy(void)
 {
@@ -27,7 +27,8 @@ void telemetry_say(const char __code *format)
     value = 0;
 }
 
-/* Division by 10 takes 380 mc, nine subtractions half of it. */
+/* Counts how often the power fits: nine subtractions take half the time of a division by 10, which
+ * takes 380 mc. */
 static char next_decimal(void)
 {
     char digit = '0';
@@ -56,6 +57,7 @@ static char next_hex(void)
     return (char)(nibble < 10 ? '0' + nibble : 'A' - 10 + nibble);
 }
 
+/* Begins to send the next value. */
 static void take(char conversion)
 {
     number = telemetry_values[value].number;
@@ -78,7 +80,7 @@ static void take(char conversion)
         /* fall through */
     default:
         power = 0;
-        if (number < 1000U) { /* leading zeros take time, too */
+        if (number < 1000U) { /* saves the time of finding leading zeros */
             power = number < 100U ? 3 : 2;
         }
     }
@@ -87,7 +89,7 @@ static void take(char conversion)
 
 char telemetry_next(void)
 {
-    while (rest != 0) { /* rounds: 3, past an empty text */
+    while (rest != 0) { /* rounds: 3, because a text can be empty */
         char c;
 
         if (power != DECIMAL_END) {

@@ -42,7 +42,7 @@ uint8_t hal_echo(void)
     return pin_echo ? HAL_ECHO_NOT_FALLEN : HAL_ECHO_NOT_RISEN;
 }
 
-uint16_t hal_echo_ticks(void)
+uint16_t hal_echo_cycles(void)
 {
     return (uint16_t)TH0 << 8 | TL0;
 }

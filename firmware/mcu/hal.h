@@ -21,7 +21,7 @@ uint8_t hal_ticks(void);
 enum hal_echo { HAL_ECHO_NOT_RISEN, HAL_ECHO_NOT_FALLEN, HAL_ECHO_DONE };
 void hal_trigger(void); /* 40 mc, of which the pulse takes 12 or more */
 uint8_t hal_echo(void); /* enum hal_echo */
-uint16_t hal_echo_ticks(void);
+uint16_t hal_echo_cycles(void);
 bool hal_echo_is_high(void); /* the sensor's line, for a test of its idle level */
 
 /* Actuators. The duty, 0..100 % (more is 100), holds from the first PWM period on that begins 0.3

@@ -28,11 +28,11 @@ void park_init(void)
 
 static int16_t limited(int32_t theta)
 {
-    if (theta > PARK_THETA_MAX) {
-        return PARK_THETA_MAX;
+    if (theta > PARK_THETA_MAX_TURN16) {
+        return PARK_THETA_MAX_TURN16;
     }
-    if (theta < -PARK_THETA_MAX) {
-        return -PARK_THETA_MAX;
+    if (theta < -PARK_THETA_MAX_TURN16) {
+        return -PARK_THETA_MAX_TURN16;
     }
     return (int16_t)theta;
 }
@@ -94,7 +94,7 @@ bool park_read(void)
     int16_t x = (int16_t)frame_u16(0);
     int16_t y = (int16_t)frame_u16(2);
 
-    if (x < -PARK_X_MAX || x > PARK_X_MAX || y < PARK_Y_MIN || y > PARK_Y_MAX) {
+    if (x < -PARK_X_MAX_512 || x > PARK_X_MAX_512 || y < PARK_Y_MIN_512 || y > PARK_Y_MAX_512) {
         return false;
     }
     park.x = x;

@@ -13,17 +13,17 @@
 #include <stdint.h>
 #include "cc51.h"
 
-#define PARK_X_MAX     20480 /* 40 m to each side */
-#define PARK_Y_MAX     20480 /* 40 m */
-#define PARK_Y_MIN     (-512)
-#define PARK_THETA_MAX 8192 /* 45 degrees */
+#define PARK_X_MAX_512        20480 /* 40 m to each side */
+#define PARK_Y_MAX_512        20480 /* 40 m */
+#define PARK_Y_MIN_512        (-512)
+#define PARK_THETA_MAX_TURN16 8192 /* 45 degrees */
 
 /* Payload of FRAME_PARK: X (i16, 1/512 m), Y (i16, 1/512 m), heading psi of the car against +x
  * (u16, 65,536ths of a turn). */
 #define PARK_PAYLOAD_BYTES 6
 
 #define PARK_SERVO_MID_US  1500U
-#define PARK_SERVO_SPAN_US 500U /* for PARK_THETA_MAX */
+#define PARK_SERVO_SPAN_US 500U /* for PARK_THETA_MAX_TURN16 */
 
 enum park_state {
     PARK_WAITING, /* for the first three good frames: the car stands */
@@ -49,11 +49,11 @@ extern __idata struct park park;
 void park_init(void);
 
 /* Steers from where park.x, park.y, park.heading say: sets dist_mm, weight and the three thetas.
- * Domain: |x| <= PARK_X_MAX, 0 <= y <= PARK_Y_MAX. About 3,500 mc. */
+ * Domain: |x| <= PARK_X_MAX_512, 0 <= y <= PARK_Y_MAX_512. About 3,500 mc. */
 void park_steer(void);
 
 /* Takes the payload of a good frame. Returns false, with everything as before, when a value is out
- * of range: |X| > PARK_X_MAX, Y < PARK_Y_MIN or > PARK_Y_MAX. */
+ * of range: |X| > PARK_X_MAX_512, Y < PARK_Y_MIN_512 or > PARK_Y_MAX_512. */
 bool park_read(void);
 
 /* One control step on what was read, while the link is up. */

@@ -9,9 +9,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define LANE_WIDTH_CM     375
-#define LANE_RANGE_MAX_CM 30000U
-#define LANE_AZIMUTH_MAX  8192 /* 45 degrees */
+#define LANE_WIDTH_CM           375
+#define LANE_RANGE_MAX_CM       30000U
+#define LANE_AZIMUTH_MAX_TURN16 8192 /* 45 degrees */
 
 /* sin(angle) * 65536, for an angle of 0..8192 in 65,536ths of a turn; to 5. */
 uint16_t lane_sine_q16(uint16_t angle);

@@ -11,23 +11,23 @@
 #error "radar needs a table of 13 x 13 cells: fistab table --grid=13x13"
 #endif
 
-#define FLAGS_KNOWN    (RADAR_TARGET | RADAR_SIGNED)
-#define GATE_MAX_CM    10000U
-#define CLOSING_MAX    600
-#define AWAY_FRAMES    3 /* without a target in the lane before the brake lets go */
-#define BRAKE_COAST    10
-#define BRAKE_FULL_PCT 100
+#define FLAGS_KNOWN       (RADAR_TARGET | RADAR_SIGNED)
+#define GATE_RANGE_MAX_CM 10000U
+#define CLOSING_MAX_DKMH  600
+#define FRAMES_AWAY_MAX   3 /* without a target in the lane before the brake lets go */
+#define BRAKE_COAST_PCT   10
+#define BRAKE_FULL_PCT    100
 
 __idata struct radar radar;
 
-static __idata uint8_t away_row;
+static __idata uint8_t frames_away;
 
 void radar_init(void)
 {
     radar.flags = 0;
     radar.brake_pct = 0;
     radar.state = RADAR_DRIVER;
-    away_row = 0;
+    frames_away = 0;
 }
 
 uint8_t radar_row(int16_t closing_dkmh)
@@ -35,7 +35,7 @@ uint8_t radar_row(int16_t closing_dkmh)
     if (closing_dkmh <= 0) {
         return 0;
     }
-    if (closing_dkmh >= CLOSING_MAX) {
+    if (closing_dkmh >= CLOSING_MAX_DKMH) {
         return 12;
     }
     /* (V + 25) / 50: 1311 / 65536 is 1/50 and 14 / 65536 / 50 more, exact below 4681. */
@@ -44,7 +44,7 @@ uint8_t radar_row(int16_t closing_dkmh)
 
 uint8_t radar_col(uint16_t range_cm)
 {
-    if (range_cm >= GATE_MAX_CM) {
+    if (range_cm >= GATE_RANGE_MAX_CM) {
         return 12;
     }
     /* (3 S + 1250) / 2500: 26844 / 2^26 is 1/2500 and a little more, exact below 59,000. */
@@ -65,7 +65,7 @@ bool radar_read(void)
         return false;
     }
     if (flags & RADAR_TARGET) {
-        if (azimuth < -LANE_AZIMUTH_MAX || azimuth > LANE_AZIMUTH_MAX ||
+        if (azimuth < -LANE_AZIMUTH_MAX_TURN16 || azimuth > LANE_AZIMUTH_MAX_TURN16 ||
             !fmcw_pair_is_possible(up_hz, down_hz)) {
             return false;
         }
@@ -96,7 +96,8 @@ static void brake(void)
     radar.col = radar_col(radar.range_cm);
     radar.level = lut_at(radar.row, radar.col);
     /* 0.8 m/s2 and 0.03 m/s2 a level, of the 8 m/s2 that 100 % asks for. */
-    radar.brake_pct = (uint8_t)(BRAKE_COAST + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
+    radar.brake_pct =
+        (uint8_t)(BRAKE_COAST_PCT + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
     if (radar.brake_pct > BRAKE_FULL_PCT) {
         radar.brake_pct = BRAKE_FULL_PCT;
     }
@@ -110,13 +111,13 @@ void radar_decide(void)
     if (!(radar.flags & RADAR_TARGET) ||
         !lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
         /* A target can be out of sight for a moment, behind a bump or at the edge of the lane. */
-        if (radar.state == RADAR_DRIVER || ++away_row >= AWAY_FRAMES) {
+        if (radar.state == RADAR_DRIVER || ++frames_away >= FRAMES_AWAY_MAX) {
             let_go();
         }
         return;
     }
-    away_row = 0;
-    gate_cm = radar.safe_cm < GATE_MAX_CM ? radar.safe_cm : GATE_MAX_CM;
+    frames_away = 0;
+    gate_cm = radar.safe_cm < GATE_RANGE_MAX_CM ? radar.safe_cm : GATE_RANGE_MAX_CM;
     if (radar.closing_dkmh > 0 && (radar.state == RADAR_BRAKING || radar.range_cm < gate_cm)) {
         brake();
     } else {
@@ -127,7 +128,7 @@ void radar_decide(void)
 void radar_lose(uint8_t fault_pct)
 {
     radar.state = RADAR_FAULT;
-    away_row = 0;
+    frames_away = 0;
     if (radar.brake_pct < fault_pct) {
         radar.brake_pct = fault_pct;
     }

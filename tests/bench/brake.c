@@ -7,8 +7,8 @@
 #include "hal.h"
 
 uint16_t bench_ticks(void);
-#define hal_echo_ticks bench_ticks
-#define main           brake_main
+#define hal_echo_cycles bench_ticks
+#define main            brake_main
 #include "../../firmware/brake/main.c"
 
 const uint16_t __code bench_steps = 4000;

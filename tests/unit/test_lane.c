@@ -66,7 +66,7 @@ static void test_what_cannot_be_judged_is_not_ours(void)
 #ifndef __SDCC_mcs51
 static void test_sine_is_right_to_five(void)
 {
-    for (uint16_t angle = 0; angle <= LANE_AZIMUTH_MAX; angle++) {
+    for (uint16_t angle = 0; angle <= LANE_AZIMUTH_MAX_TURN16; angle++) {
         TEST_ASSERT_DOUBLE_WITHIN(5, 65536 * sin(angle * 3.14159265358979 / 32768),
                                   lane_sine_q16(angle));
     }
@@ -85,7 +85,8 @@ static void test_verdicts_are_those_of_the_formula(void)
             if (fabs(range * curvature) > 0.67) {
                 continue;
             }
-            for (int16_t azimuth = -LANE_AZIMUTH_MAX; azimuth <= LANE_AZIMUTH_MAX; azimuth++) {
+            for (int16_t azimuth = -LANE_AZIMUTH_MAX_TURN16; azimuth <= LANE_AZIMUTH_MAX_TURN16;
+                 azimuth++) {
                 double side = curvature < 0 ? -1 : 1;
                 double y = side * range * sin(azimuth * 3.14159265358979 / 32768);
                 double off = fabs(y - range * range * fabs(curvature) / 2 +

@@ -161,10 +161,10 @@ static void test_values_out_of_range_are_refused_and_change_nothing(void)
 {
     send(100, 200, 300);
     TEST_ASSERT_TRUE(park_read());
-    expect_refused(PARK_X_MAX + 1, 5000);
-    expect_refused(-PARK_X_MAX - 1, 5000);
-    expect_refused(0, PARK_Y_MAX + 1);
-    expect_refused(0, PARK_Y_MIN - 1);
+    expect_refused(PARK_X_MAX_512 + 1, 5000);
+    expect_refused(-PARK_X_MAX_512 - 1, 5000);
+    expect_refused(0, PARK_Y_MAX_512 + 1);
+    expect_refused(0, PARK_Y_MIN_512 - 1);
     expect_refused(INT16_MIN, INT16_MIN);
 }
 

@@ -227,9 +227,9 @@ static void test_values_out_of_range_are_refused_and_change_nothing(void)
     step(5000, 30 * KMH, 100 * KMH);
     send(45000, 55000, 0, SAFE_SPEED_MAX_DKMH + 1, 0, flags);
     expect_refused();
-    send(45000, 55000, LANE_AZIMUTH_MAX + 1, 1000, 0, flags);
+    send(45000, 55000, LANE_AZIMUTH_MAX_TURN16 + 1, 1000, 0, flags);
     expect_refused();
-    send(45000, 55000, -LANE_AZIMUTH_MAX - 1, 1000, 0, flags);
+    send(45000, 55000, -LANE_AZIMUTH_MAX_TURN16 - 1, 1000, 0, flags);
     expect_refused();
     send(45000, 55000, 0, 1000, INT16_MIN, flags);
     expect_refused();

@@ -16,7 +16,7 @@ enum { STEPS = 5000 };
 static double firmware_rad(const struct truck *truck)
 {
     /* Out of its frame's range the controller refuses and keeps its wheel. */
-    if (fabs(truck->x_m) * 512 > PARK_X_MAX || truck->y_m * 512 > PARK_Y_MAX) {
+    if (fabs(truck->x_m) * 512 > PARK_X_MAX_512 || truck->y_m * 512 > PARK_Y_MAX_512) {
         return park.theta * 2 * M_PI / 65536;
     }
     park.x = (int16_t)lround(truck->x_m * 512);

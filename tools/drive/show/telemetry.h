@@ -1,7 +1,7 @@
 /* Listens to the controller's serial line: keeps all that it said, and reads its CSV lines, whose
  * columns are named by a header line. */
-#ifndef FUZZY51_TELEMETRY_H
-#define FUZZY51_TELEMETRY_H
+#ifndef FUZZY51_SHOW_TELEMETRY_H
+#define FUZZY51_SHOW_TELEMETRY_H
 
 #include <stdbool.h>
 #include <stddef.h>
