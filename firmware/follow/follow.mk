@@ -5,7 +5,7 @@ follow_TABLE   := tables/follow.fis
 follow_FISTAB  := --grid=5x3x3 --levels=4
 follow_FLAGS   := -DSERVO
 follow_CYCLES  := $(FRAME_CYCLES)
-follow_MODULES := $(FRAME_MODULES) follow/main follow/follow mcu/servo
+follow_MODULES := follow/main $(FRAME_MODULES) follow/follow mcu/servo
 
 # The same with the rules as published, to compare with: most approaches end in contact.
 follow_paper_TABLE   := tables/follow_paper.fis

@@ -63,3 +63,11 @@ uint8_t app_lamp(void)
 {
     return follow.state == FOLLOW_WAITING ? LAMP_FLICKER : LAMP_OFF;
 }
+
+void main(void)
+{
+    frames_init();
+    for (;;) {
+        frames_round();
+    }
+}

@@ -1,26 +1,26 @@
-/* The receiver of frames, a byte at a time. */
+/* Receives frames, byte by byte. */
 #include "frame.h"
 #include <stdbool.h>
 #include "crc16.h"
 
 #define START_BIT   0x80U
-#define KIND_MASK   0xF0U /* with the start bit */
+#define KIND_MASK   0xF0U /* and the start bit */
 #define COUNT_MASK  0x0FU
 #define COUNT_NONE  0xFFU
 #define GROUP_BYTES 7
 
-__idata uint8_t frame_body[FRAME_BODY_MAX];
+__idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
-static __idata uint8_t start_and_kind; /* what the start byte must be, but for its count */
+static __idata uint8_t start_and_kind; /* what the start byte must be, without its count */
 static __idata uint8_t body_bytes;     /* payload and check sum */
-static uint8_t filled;                 /* body bytes so far */
-static uint8_t group_left; /* bytes that the group still brings; 0: its top bits come next */
+static uint8_t filled;                 /* body bytes received so far */
+static uint8_t group_left; /* bytes still to come in this group; 0: the next byte is top bits */
 static uint8_t top_bits;
-static __idata uint8_t count;      /* of the frame coming in */
+static __idata uint8_t count;      /* of the frame that is being received */
 static __idata uint8_t count_last; /* of the last good one */
 static uint8_t crc_high, crc_low;
-static bool inside; /* between a start byte and the last byte of its frame */
-static __idata uint16_t bad;
+static bool inside;          /* a start byte came, the last byte of its frame did not */
+static __idata uint16_t bad; /* frames */
 
 void frame_init(uint8_t kind, uint8_t payload_bytes)
 {
@@ -82,8 +82,7 @@ uint8_t frame_push(uint8_t byte)
     }
 
     inside = false;
-    /* Its own sum taken into it makes a sum zero; top bits are left over only when they are wrong.
-     */
+    /* A right check sum, added to itself, gives 0. If top bits are left, an unused one was 1. */
     if ((crc_high | crc_low | top_bits) != 0 || count == count_last) {
         frame_refuse();
         return FRAME_BAD;

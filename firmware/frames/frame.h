@@ -1,30 +1,31 @@
 /* Frames that a sensor head sends on the UART: one start byte, a body of fixed length, a check sum.
  *
- *     start   1 kkk cccc   the only byte of a frame with bit 7 set; kkk: what the body means (enum
- *                          frame_kind), cccc: a count that goes up by one a frame, 15 -> 0
- *     body    the payload bytes of that kind, then CRC-16/CCITT-FALSE over the start byte and the
- *             payload, high byte first. It travels in groups: up to seven body bytes make a group,
- *             which is one byte with their top bits (bit 0: of the first byte, bit 1: of the
- *             second, and so on; unused bits 0) and then each byte without its top bit.
+ *     start   1 kkk cccc   the only byte of a frame with bit 7 set. kkk is the kind of the payload
+ *                          (enum frame_kind). cccc is a count: it goes up by one each frame, and
+ *                          from 15 to 0
+ *     body    the payload, then CRC-16/CCITT-FALSE over start byte and payload, high byte first.
+ *             The body is sent in groups of up to seven bytes. A group begins with one byte that
+ *             holds their top bits (bit 0: the first byte's, bit 1: the second's, and so on; unused
+ *             bits are 0). Then each byte follows without its top bit.
  *
- * So n payload bytes take 1 + (n + 2) + ceil((n + 2) / 7) bytes on the line, always: nothing is
- * escaped. A receiver that starts listening in the middle of a frame, or that lost or won a byte,
- * is in step again at the next start byte; a frame cut short costs itself and not its follower.
- * Values are big-endian, signed ones in two's complement.
+ * So n payload bytes always take 1 + (n + 2) + ceil((n + 2) / 7) bytes on the line; nothing is
+ * escaped. A receiver that starts in the middle of a frame, or that loses or gains a byte, is in
+ * step again at the next start byte: a frame that is cut short does not spoil the next one. Values
+ * are big-endian; signed ones are two's complement.
  *
- * The controller asks: each control step begins with a pulse on TRIGGER, at which the head
- * measures, and which it answers with one frame. So the age of a reading is known, and no clock has
- * to be met.
+ * The controller asks for each frame. A control step begins with a pulse on TRIGGER; then the head
+ * measures and answers with one frame. So the age of a reading is known, and the two need no common
+ * clock.
  *
- * What each way of going wrong leads to:
- *     bytes before a start byte     passed over
- *     a start byte inside a frame   the frame that it cuts off is FRAME_BAD, the new one begins
+ * What happens when something goes wrong:
+ *     bytes before a start byte     are ignored
+ *     a start byte inside a frame   the frame that it cuts short is FRAME_BAD; a new one begins
  *     wrong check sum               FRAME_BAD
- *     the count of the last good frame again: a head that repeats itself   FRAME_BAD
- *     a frame of another kind       passed over: it is meant for somebody else
- *     a payload value out of its range: the user of the payload says frame_refuse()
- * FRAME_BAD never changes what the last good frame said, and does not count as a sign of life; that
- * no good frame came for LINK_SILENCE_MS is link.h's affair. */
+ *     the count of the last good frame again (the head repeats itself)   FRAME_BAD
+ *     a frame of another kind       is ignored: it is for another receiver
+ *     a payload value out of range  the user of the payload calls frame_refuse()
+ * FRAME_BAD does not change what the last good frame said and is no sign of life. link.h decides
+ * what happens when no good frame comes for LINK_SILENCE_MS. */
 #ifndef FUZZY51_FRAME_H
 #define FUZZY51_FRAME_H
 
@@ -39,35 +40,45 @@ enum frame_kind {
 };
 
 enum frame_result {
-    FRAME_NONE, /* nothing to say yet */
-    FRAME_GOOD, /* a whole frame: read its payload before the next frame_push */
-    FRAME_BAD,  /* a frame was lost: wrong check sum, cut short, or a repeated one */
+    FRAME_NONE, /* the frame is not complete yet */
+    FRAME_GOOD, /* a complete frame: read its payload before the next frame_push */
+    FRAME_BAD,  /* a frame was lost: wrong check sum, cut short, or repeated */
 };
 
-#define FRAME_PAYLOAD_MAX 14
-#define FRAME_BODY_MAX    (FRAME_PAYLOAD_MAX + 2)
+#define FRAME_PAYLOAD_MAX_BYTES 14
+#define FRAME_BODY_MAX_BYTES    (FRAME_PAYLOAD_MAX_BYTES + 2)
 
 /* The bytes of one frame on the line, for a payload of `bytes`. */
 #define FRAME_LINE_BYTES(bytes) (1 + ((bytes) + 2) + ((bytes) + 2 + 6) / 7)
 
-/* The body of the frame that is coming in; the payload after FRAME_GOOD. */
-extern __idata uint8_t frame_body[FRAME_BODY_MAX];
+/* The body of the frame that is being received. After FRAME_GOOD it begins with the payload. */
+extern __idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
-/* Frames of `kind` (1..7) with `payload_bytes` (1..FRAME_PAYLOAD_MAX) are awaited from now on, and
- * none has been seen. */
+/* From now on receives frames of `kind` (1..7) with a payload of `payload_bytes`. Forgets all that
+ * was received before. */
+/*@ requires 1 <= kind <= 7 && 1 <= payload_bytes <= FRAME_PAYLOAD_MAX_BYTES; */
 void frame_init(uint8_t kind, uint8_t payload_bytes);
 
-/* One byte off the line. Returns one of enum frame_result. Under 150 mc. */
+/* Takes one byte from the line and returns enum frame_result. Less than 150 mc. */
+/*@ ensures \result == FRAME_NONE || \result == FRAME_GOOD || \result == FRAME_BAD; */
 uint8_t frame_push(uint8_t byte);
 
-/* The frame just found good holds a value that cannot be: counts it among the bad ones. */
+/* Says that the last good frame has an impossible value: it counts as a bad one. */
 void frame_refuse(void);
 
-/* Bad frames since frame_init, 65535 at most. */
+/* Returns the number of bad frames since frame_init; it stops at 65535. */
+/*@ assigns \nothing; */
 uint16_t frame_bad_count(void);
 
-/* Big-endian values out of the payload, at byte `at`. */
+/* Return the big-endian value at byte `at` of the payload: two bytes unsigned, or three bytes with
+ * sign. */
+/*@ requires at + 1 < FRAME_BODY_MAX_BYTES;
+    assigns \nothing;
+    ensures \result == frame_body[at] * 256 + frame_body[at + 1]; */
 uint16_t frame_u16(uint8_t at);
+/*@ requires at + 2 < FRAME_BODY_MAX_BYTES;
+    assigns \nothing;
+    ensures -0x800000 <= \result < 0x800000; */
 int32_t frame_i24(uint8_t at);
 
 #endif

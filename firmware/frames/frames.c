@@ -1,5 +1,5 @@
-/* Main of the controllers that live on frames: radar, gap, follow, park. Each of them is one more
- * file, which says what is its own. */
+/* The jobs of the frame-fed controllers' main loop. What is different in each controller is in its
+ * own main.c, behind the functions of frames.h. */
 #include "frames.h"
 #include "link.h"
 #include "lut_table.h"
@@ -7,32 +7,33 @@
 
 #define VERSION "fuzzy51 " FUZZY51_VERSION
 
-/* From the end of the self-test to the first trigger: an actuator takes its place. */
+/* From the end of the self-test to the first trigger: the servo moves to its place. */
 #define SETTLE_MS 60U
 
-/* In a fault there are no control steps to report. */
+/* One line of telemetry each 100 ms in a fault, when no control step reports. */
 #define REPORT_MS 100U
 
 #if HAL_TICK_MS != 10
-#error a tick must be 10 ms: the clock below counts so
+#error a tick must be 10 ms: advance_clock adds it up to 1000 ms
 #endif
 
-static uint8_t tick;            /* seen, as hal_ticks counts */
-static __idata uint16_t now_ms; /* wraps */
-static __idata uint16_t seconds, milliseconds;
-static uint8_t until_trigger; /* ticks */
-static __idata uint8_t until_report;
+static uint8_t tick;                           /* the last tick of hal_ticks that was handled */
+static __idata uint16_t now_ms;                /* since the start; wraps at 65,536 */
+static __idata uint16_t seconds, milliseconds; /* since the start */
+static uint8_t until_trigger;                  /* ticks to the next trigger */
+static __idata uint8_t until_report;           /* ticks to the next line of telemetry in a fault */
 static bool is_testing;
-static uint8_t fault;
+static uint8_t fault; /* enum frames_fault */
 
-static __idata uint16_t seq; /* control steps */
-static __idata uint8_t said; /* of the two lines at the start */
+static __idata uint16_t seq; /* control steps reported or dropped */
+static __idata uint8_t said; /* how many of the two lines at the start were sent */
 
 static const char __code TITLE[] = "# " VERSION " %s %s table=%x reset=%s\r\n";
 static const char __code BOARD[] = BOARD_NAME;
 static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
 
-/* One line a control step; dropped when the one before is not out: the numbers show it. */
+/* One line of telemetry for each control step. If the line before is still being sent, this one is
+ * dropped; its missing number shows it. */
 static void report(void)
 {
     uint8_t last;
@@ -75,7 +76,7 @@ static void finish_selftest(void)
     }
 }
 
-/* The pins stay as reset left them, on the safe side, until all is found good. */
+/* Until all tests have passed the pins stay as reset left them, which is safe. */
 static void test(void)
 {
     switch (selftest_table()) {
@@ -90,7 +91,7 @@ static void test(void)
     finish_selftest();
 }
 
-/* A whole frame with a right check sum came in. */
+/* A complete frame with a right check sum was received. */
 static void take_frame(void)
 {
     if (!app_read()) {
@@ -182,49 +183,48 @@ static void talk(void)
     }
 }
 
-void main(void)
+void frames_init(void)
 {
-    /* Must be first: the pins are safe, the clock runs. */
     hal_init();
-
     is_testing = true;
     tick = hal_ticks();
+}
 
-    for (;;) {
-        /* Every round. */
-        if (is_testing) {
-            test();
-        }
-        talk();
-        if (hal_waiting() != 0) {
-            listen();
-        }
-        if (hal_ticks() == tick) {
-            continue;
-        }
+void frames_round(void)
+{
+    /* Every round. */
+    if (is_testing) {
+        test();
+    }
+    talk();
+    if (hal_waiting() != 0) {
+        listen();
+    }
+    if (hal_ticks() == tick) {
+        return;
+    }
 
-        /* Every 10 ms. */
-        tick++;
-        advance_clock();
-        if (!is_testing) {
-            watch();
-            show();
-            /* A controller that hears nothing still says so. */
-            if (fault != FRAMES_FAULT_NONE && --until_report == 0) {
-                until_report = REPORT_MS / HAL_TICK_MS;
-                report();
-            }
-
-            /* Every control step. */
-            if (--until_trigger == 0) {
-                until_trigger = app.period_ticks;
-                hal_trigger();
-            }
+    /* Every 10 ms. */
+    tick++;
+    advance_clock();
+    if (!is_testing) {
+        watch();
+        show();
+        /* Without frames there are no control steps, but the fault must be reported. */
+        if (fault != FRAMES_FAULT_NONE && --until_report == 0) {
+            until_report = REPORT_MS / HAL_TICK_MS;
+            report();
         }
 
-        /* Nothing above took so long that a tick went by unseen. */
-        if (hal_ticks() == tick) {
-            hal_watchdog_feed();
+        /* Every control step. */
+        if (--until_trigger == 0) {
+            until_trigger = app.period_ticks;
+            hal_trigger();
         }
+    }
+
+    /* Feed the watchdog only if nothing above took longer than a tick. */
+    if (hal_ticks() == tick) {
+        hal_watchdog_feed();
     }
 }

@@ -1,5 +1,6 @@
-/* What a controller that lives on frames gives to frames.c, which has main and all that such
- * controllers have in common: self-test, trigger, link, telemetry, lamp, watchdog. */
+/* The frame-fed controllers. frames.c has what they share: the jobs of the main loop, that is
+ * self-test, trigger, link, telemetry, lamp and watchdog. A controller's main.c has `main` and the
+ * app_ functions below, which frames.c calls. */
 #ifndef FUZZY51_FRAMES_H
 #define FUZZY51_FRAMES_H
 
@@ -12,48 +13,54 @@
 #include "lamp.h"
 #include "telemetry.h"
 
-/* What is wrong, as telemetry says it. From FRAMES_FAULT_TABLE on they last until the next start.
+/* For a controller's main. frames_init starts the machine; call it first and once. Then call
+ * frames_round for ever: each call does the jobs that are due. */
+void frames_init(void);
+void frames_round(void);
+
+/* The faults, as telemetry reports them. FRAMES_FAULT_TABLE and higher last until the next start.
  */
 enum frames_fault {
     FRAMES_FAULT_NONE,
-    FRAMES_FAULT_LINK,     /* silence for 200 ms (link.h), or three good frames in a row not yet */
-    FRAMES_FAULT_WATCHDOG, /* this start was a watchdog reset, and the link is not yet up again */
+    FRAMES_FAULT_LINK,     /* the link is lost, and not up again yet (link.h) */
+    FRAMES_FAULT_WATCHDOG, /* this start was a watchdog reset, and the link is not up yet */
     FRAMES_FAULT_TABLE,    /* self-test: check sum of the table */
-    FRAMES_FAULT_RAM,      /* self-test: pattern in RAM */
+    FRAMES_FAULT_RAM,      /* self-test: patterns in RAM */
     FRAMES_FAULT_STACK,    /* self-test: the stack reached the end of RAM */
 };
 
 struct frames_app {
     uint8_t kind; /* enum frame_kind */
     uint8_t payload_bytes;
-    uint8_t period_ticks; /* of HAL_TICK_MS: from one trigger to the next */
+    uint8_t period_ticks; /* from one trigger to the next, in HAL_TICK_MS */
     const char __code *name;
-    const char __code *header; /* of the telemetry: "seq,ms,....,state,fault\r\n" */
-    const char __code *line;   /* its format: "%u,%o%m,....,%s,%u\r\n" */
+    const char __code *header; /* the first line of telemetry: "seq,ms,...,state,fault\r\n" */
+    const char __code *line;   /* the format of the other lines: "%u,%o%m,...,%s,%u\r\n" */
 };
 extern const struct frames_app __code app;
 
-/* The self-test is over: the state to start in. */
+/* Sets the state to start in. Called once, after the self-test. */
 void app_init(void);
 
-/* Takes the payload of a good frame; false: a value is out of range, and nothing was taken. */
+/* Reads the payload of a good frame. Returns false if a value is out of range; then nothing was
+ * taken from the frame. */
 bool app_read(void);
 
-/* One control step on what was read. The link is up. */
+/* Makes one control step with what was read. Called only while the link is up. */
 void app_decide(void);
 
-/* The link is lost, or the self-test failed: the state for that. Called every 10 ms. */
+/* Sets the state for a lost link or a failed self-test. Called every 10 ms while that lasts. */
 void app_lose(void);
 
-/* From the decision to the pins. Called after each of the three above. */
+/* Sets the pins as decided. Called after each of app_init, app_decide and app_lose. */
 void app_apply(void);
 
-/* Fills the telemetry's values from this one on, but for the last one, which is the fault. Returns
- * that one's index. */
+/* Sets telemetry_values from index FRAMES_VALUES_FROM on, and returns the index after them; there
+ * frames.c puts the fault. */
 #define FRAMES_VALUES_FROM 3
 uint8_t app_report(void);
 
-/* What the lamp shows, but in a fault: LAMP_OFF, LAMP_FLICKER. */
+/* Returns the lamp's pattern while there is no fault: LAMP_OFF or LAMP_FLICKER. */
 uint8_t app_lamp(void);
 
 #endif

@@ -2,9 +2,10 @@
 #include "link.h"
 #include "cc51.h"
 
-static __idata uint16_t since_ms; /* up: the last good frame; waiting: the start */
-static __idata uint8_t frames_good;
-static __idata uint8_t link;
+static __idata uint16_t
+    since_ms; /* LINK_UP: time of the last good frame; LINK_WAITING: of the start */
+static __idata uint8_t frames_good; /* in a row, while the link is not up */
+static __idata uint8_t link;        /* enum link_state */
 
 void link_init(uint8_t state, uint16_t now_ms)
 {
@@ -15,7 +16,8 @@ void link_init(uint8_t state, uint16_t now_ms)
 
 bool link_good(uint16_t now_ms)
 {
-    /* A frame that ends a silence does not undo it. */
+    /* If the silence was too long, the frame that ends it does not count as if it had come in time.
+     */
     (void)link_check(now_ms);
     if (link != LINK_UP) {
         frames_good++;

@@ -1,20 +1,21 @@
-/* Whether the sensor head can be trusted: the sign-of-life watch over frames, for every controller
- * that lives on them. A bad frame is no sign of life; the last command stands until LINK_SILENCE_MS
- * have gone by without a good one. */
+/* Whether the sensor head can be trusted: watches for good frames as its sign of life. A bad frame
+ * is no sign of life. The last command stays in force until LINK_SILENCE_MS have passed without a
+ * good frame. */
 #ifndef FUZZY51_LINK_H
 #define FUZZY51_LINK_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Silence for 200 ms. With a frame each 100 ms, one bad frame makes just these 200 ms, and the next
- * frame, which ends them, must still count: so 200 ms, and a tick of 10 ms for either end, as both
- * are read off the ticks. From the end of the last good frame to the fault it takes 210 to 220 ms:
- * one bad frame in a row never leads to it, two always do; of frames each 50 ms three and four, of
- * frames each 20 ms nine and eleven. A head may be 10 ms late. */
+/* The silence that makes a fault: 200 ms, and one tick of 10 ms for its start and one for its end,
+ * because both are read from the ticks. With one frame each 100 ms, one bad frame makes just 200 ms
+ * of silence; the next frame ends it and must still count. From the end of the last good frame to
+ * the fault it takes 210 to 220 ms. With frames each 100 ms, one bad frame never makes a fault and
+ * two in a row always do; with frames each 50 ms three and four; with frames each 20 ms nine and
+ * eleven. A head may be 10 ms late. */
 #define LINK_SILENCE_MS  220U
-#define LINK_START_MS    500U /* to come up in after the start */
-#define LINK_GOOD_FRAMES 3    /* in a row, before a link counts as up */
+#define LINK_START_MS    500U /* after the start the link must be up within this time */
+#define LINK_GOOD_FRAMES 3    /* good frames in a row until the link is up */
 
 enum link_state {
     LINK_WAITING, /* just started: no command yet, no fault yet */
@@ -22,17 +23,21 @@ enum link_state {
     LINK_LOST, /* silent, or not up in time: the controller's fault state */
 };
 
-/* Starts watching at now_ms, as LINK_WAITING, or as LINK_LOST after a watchdog reset. */
+/* Starts to watch at now_ms. `state` is LINK_WAITING, or LINK_LOST after a watchdog reset. now_ms
+ * here and below is any clock of milliseconds that wraps at 65,536. */
+/*@ requires state == LINK_WAITING || state == LINK_LOST; */
 void link_init(uint8_t state, uint16_t now_ms);
 
-/* A good frame came at now_ms (a clock that wraps at 65,536). Returns whether the link is up. */
+/* A good frame came at now_ms. Returns whether the link is up. */
 bool link_good(uint16_t now_ms);
 
-/* A frame was bad or refused: the row of good ones starts anew. A link that is up stays up. */
+/* A frame was bad or refused: the count of good frames in a row starts again. A link that is up
+ * stays up. */
 void link_bad(void);
 
-/* The link at now_ms, one of enum link_state. To be asked at least once in 60 s, else the wrapping
- * clock can hide a silence. */
+/* Returns enum link_state at now_ms. Must be called at least once in 60 s; otherwise a silence can
+ * hide behind the wrapping clock. */
+/*@ ensures \result == LINK_WAITING || \result == LINK_UP || \result == LINK_LOST; */
 uint8_t link_check(uint16_t now_ms);
 
 #endif

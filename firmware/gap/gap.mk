@@ -5,4 +5,4 @@ gap_TABLE   := tables/gap.fis
 gap_FISTAB  := --nodes --grid=33x33 --levels=200
 gap_FLAGS   := -DSERVO
 gap_CYCLES  := $(FRAME_CYCLES)
-gap_MODULES := $(FRAME_MODULES) gap/main gap/gap lib/mul_u16 mcu/servo
+gap_MODULES := gap/main $(FRAME_MODULES) gap/gap lib/mul_u16 mcu/servo

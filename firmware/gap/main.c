@@ -55,3 +55,11 @@ uint8_t app_lamp(void)
 {
     return gap.state == GAP_WAITING ? LAMP_FLICKER : LAMP_OFF;
 }
+
+void main(void)
+{
+    frames_init();
+    for (;;) {
+        frames_round();
+    }
+}

@@ -1,11 +1,12 @@
-/* Timer 0: the echo's length in machine cycles. The echo itself gates the timer (INT0), and its
- * fall sets IE0, with no interrupt: exact to one count whatever the program does meanwhile. */
+/* Timer 0 measures the echo in machine cycles. The echo pin (INT0) gates the timer, and the end of
+ * the echo sets the flag IE0, without an interrupt. So the count is exact to one cycle whatever the
+ * program does meanwhile. */
 #include "sfr.h"
 
-/* The sensor asks for 10 us; each turn of the delay takes 2 cycles. */
+/* The sensor needs a pulse of 10 us; each turn of the delay takes 2 cycles. */
 #define TRIGGER_TURNS ((uint8_t)(CYCLES_PER_S * 12U / 1000000U / 2U + 1U))
 
-static __bit was_high; /* the last echo was not over when this measurement started */
+static __bit was_high; /* the echo of the last measurement had not ended at the trigger */
 
 void sensor_init(void)
 {

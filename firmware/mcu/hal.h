@@ -1,6 +1,6 @@
-/* The seam between a controller and the machine that it runs on: start.c, pwm.c, echo.c and uart.c
- * are the 8051's side of it. All calls return at once; costs are machine cycles with call and
- * return, SDCC's small model. */
+/* The seam between a controller and the machine that it runs on. For the 8051 it is implemented by
+ * start.c, pwm.c, echo.c and uart.c. All calls return at once. Costs are in machine cycles (mc)
+ * with call and return, in SDCC's small model. */
 #ifndef FUZZY51_HAL_H
 #define FUZZY51_HAL_H
 
@@ -8,50 +8,51 @@
 #include <stdint.h>
 #include "cc51.h"
 
-/* Pins are safe (full brake, stop) before this runs and stay so. Timers, UART and watchdog start.
- */
+/* Starts the timers, the UART and the watchdog. Before it runs the pins are already safe (full
+ * brake, STOP), and they stay so. */
 void hal_init(void);
 
-/* Time: ticks of HAL_TICK_MS since hal_init, wrapping; one is one PWM period. */
+/* Time: ticks of HAL_TICK_MS since hal_init; wraps from 255 to 0. A tick is one PWM period. */
 #define HAL_TICK_MS 10U
 uint8_t hal_ticks(void);
 
-/* Distance sensor: trigger, then ask until the answer is not HAL_ECHO_WAITING. Whoever waits no
- * longer takes NOT_RISEN or NOT_FALLEN as the fault. Ticks are machine cycles, valid once DONE. */
+/* The distance sensor. hal_trigger starts a measurement. Then ask hal_echo until it says DONE. If
+ * that takes too long, its answer is the fault: the echo never rose, or never fell. */
 enum hal_echo { HAL_ECHO_NOT_RISEN, HAL_ECHO_NOT_FALLEN, HAL_ECHO_DONE };
-void hal_trigger(void); /* 40 mc, of which the pulse takes 12 or more */
-uint8_t hal_echo(void); /* enum hal_echo */
-uint16_t hal_echo_cycles(void);
-bool hal_echo_is_high(void); /* the sensor's line, for a test of its idle level */
+void hal_trigger(void);         /* 40 mc; the pulse is at least 10 us long */
+uint8_t hal_echo(void);         /* enum hal_echo */
+uint16_t hal_echo_cycles(void); /* the echo's length in machine cycles; valid after DONE */
+bool hal_echo_is_high(void);    /* the level of the echo pin; the self-test looks at it */
 
-/* Actuators. The duty, 0..100 % (more is 100), holds from the first PWM period on that begins 0.3
- * ms or more after the call. */
+/* Actuators. The brake takes 0..100 %; more counts as 100. The new duty holds from the first PWM
+ * period on that begins at least 0.3 ms after the call. */
 void hal_brake_set(uint8_t brake_pct); /* up to 80 mc */
-void hal_stop_set(bool on);
+void hal_stop_set(bool on);            /* the STOP pin */
 void hal_lamp_set(bool on);
 void hal_buzzer_set(bool on);
 
-/* The driver's override button is held. */
+/* Whether the driver holds the override button. */
 bool hal_override_held(void);
 
 /* UART, 9600 8N1. */
-bool hal_uart_ready(void); /* the next hal_uart_put will not overwrite anything */
-void hal_uart_put(char c);
-char hal_uart_get(void); /* 0: nothing came */
+bool hal_uart_ready(void); /* whether hal_uart_put may be called: the last character is out */
+void hal_uart_put(char c); /* sends a character */
+char hal_uart_get(void);   /* the character that came in, or 0 if none came */
 
-/* Watchdog: reset unless fed again within 16 ms (at89s52), 65 ms (stc89), ever (none). */
+/* Feeds the watchdog. Without it the chip is reset after 16 ms (at89s52) or 65 ms (stc89); a
+ * generic8052 has no watchdog. */
 void hal_watchdog_feed(void);
 
 /* What led to this start. */
 enum hal_reset { HAL_RESET_POWER, HAL_RESET_WATCHDOG, HAL_RESET_PIN };
 uint8_t hal_reset_cause(void); /* enum hal_reset */
 
-/* Self-test: RAM held its patterns at start; bytes of stack never used so far (0: overflown). */
-bool hal_ram_is_good(void);
-uint8_t hal_stack_unused(void); /* up to 2,000 mc */
-bool hal_stack_is_good(void);
+/* Self-test. */
+bool hal_ram_is_good(void);     /* whether each byte of RAM kept its test patterns at start */
+uint8_t hal_stack_unused(void); /* bytes of stack that were never used; 0: overflow; 2,000 mc */
+bool hal_stack_is_good(void);   /* whether the last byte of the stack was never used */
 
-/* For the linker: SDCC sets an interrupt's vector only where main's file sees the prototype. */
+/* SDCC writes an interrupt's vector only if the file with main sees the interrupt's prototype. */
 void pwm_interrupt(void) __interrupt(3) __using(1);
 
 #endif

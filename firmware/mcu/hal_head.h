@@ -1,25 +1,25 @@
-/* The seam of controllers whose readings come as frames from a sensor head, beside hal.h: head.c
- * stands in for echo.c and uart.c, servo.c adds the servo. Only the file with main includes this:
- * it is where SDCC must see the interrupts. */
+/* The part of the seam that only the frame-fed controllers use, beside hal.h. For them head.c takes
+ * the place of echo.c and uart.c, and servo.c adds the servo. Only a controller's main.c includes
+ * this, through frames.h: there SDCC must see the prototypes of the interrupts. */
 #ifndef FUZZY51_HAL_HEAD_H
 #define FUZZY51_HAL_HEAD_H
 
 #include "hal.h"
 
-/* Bytes that have come in and wait, HAL_WAITING_MAX at most: 16 ms at 9600 Bd. A byte beyond that
- * is dropped, and the frame's check sum fails. */
+/* Received bytes that wait: at most HAL_WAITING_MAX, which is 16 ms at 9600 Bd. A byte that comes
+ * when so many wait is dropped; then the frame's check sum fails. */
 #define HAL_WAITING_MAX 16U
-uint8_t hal_waiting(void);
-uint8_t hal_take(void); /* the oldest; only if one waits */
+uint8_t hal_waiting(void); /* how many bytes wait */
+uint8_t hal_take(void);    /* the oldest of them; call it only if one waits */
 
-/* Pulses for a servo, every 20 ms, from the first call on; 500..2500 us, each as exact as the PWM.
- */
+/* Sends servo pulses of 500..2500 us, one each 20 ms, from the first call on. They are as exact as
+ * the PWM. */
 void hal_servo_set(uint16_t pulse_us);
 
-/* The driver's throttle is cut. */
+/* Cuts the driver's throttle. */
 void hal_cut_set(bool on);
 
-/* The next lane is asked for. */
+/* Asks for the next lane. */
 void hal_lane_set(bool on);
 
 void head_interrupt(void) __interrupt(4) __using(2);

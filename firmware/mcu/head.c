@@ -1,14 +1,15 @@
-/* A sensor head on the UART: a trigger pulse out, frames in by interrupt. Control steps take longer
- * than a byte does, so bytes are kept in a ring; the PWM's interrupt goes before this one. */
+/* A sensor head on the UART: a trigger pulse goes out, frames come in by interrupt. A control step
+ * takes longer than a byte on the line, so received bytes wait in a ring. The PWM's interrupt has
+ * priority over this one. */
 #include "sfr.h"
 #include "hal_head.h"
 
-/* The head asks for 10 us; each turn of the delay takes 2 cycles. */
+/* The head needs a pulse of 10 us; each turn of the delay takes 2 cycles. */
 #define TRIGGER_TURNS ((uint8_t)(CYCLES_PER_S * 12U / 1000000U / 2U + 1U))
 
 static volatile __idata uint8_t ring[HAL_WAITING_MAX];
-static volatile uint8_t came; /* bytes in all; the interrupt's */
-static uint8_t taken;         /* main's */
+static volatile uint8_t came; /* bytes received so far; only the interrupt writes it */
+static uint8_t taken;         /* bytes taken so far; only the main program writes it */
 static volatile __bit is_sent;
 
 void head_interrupt(void) __interrupt(4) __using(2)

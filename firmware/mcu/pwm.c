@@ -1,11 +1,11 @@
-/* Timer 1: the brake's PWM and, counted in its periods, the clock. Two interrupts a period. */
+/* Timer 1: the brake's PWM. Its periods are the ticks of the clock. Two interrupts a period. */
 #include "sfr.h"
 #include "fixed.h"
 #include "phase.h"
 
 #define PERIOD_MC (CYCLES_PER_S / (1000U / HAL_TICK_MS))
 
-/* One percent of the period in whole cycles, and the rest of it in 1/256 cycle. */
+/* One percent of the period: whole cycles, and the remainder in 1/256 cycle. */
 #define PERCENT_MC      (PERIOD_MC / 100U)
 #define PERCENT_MC_REST ((PERIOD_MC % 100U * 256U + 50U) / 100U)
 
@@ -13,16 +13,17 @@
 #error CLK_HZ too high: one percent of the PWM period must fit a byte of cycles
 #endif
 
-/* Each period has a first phase, high unless the brake is released, and a second one, low unless it
- * is full; steady levels have two equal phases. By what the timer is advanced for both together: */
+/* A period has two phases. The first is high unless the brake is released; the second is low unless
+ * the brake is full. At a steady level both phases are equally long. This is what the timer is
+ * advanced by for both together: */
 #define BOTH_RELOADS (PHASE_RELOAD(PERIOD_MC) + PHASE_STOPPED_MC)
 
-/* All below belongs to the interrupt, but what starts with new_: that is written by hal_brake_set
- * while new_is_set is 0, and taken when it is 1: by the interrupt that starts a second phase or, in
- * a second phase that has time left, by hal_brake_set. So nothing needs the interrupt disabled,
- * which would move an edge. */
+/* Only the interrupt writes these variables, except those whose name starts with new_.
+ * hal_brake_set writes them while new_is_set is 0. When new_is_set is 1 they are taken: by the
+ * interrupt that starts a second phase, or by hal_brake_set itself if the second phase has enough
+ * time left. So the interrupt never has to be disabled; that would move an edge. */
 static volatile uint8_t ticks;
-static volatile __bit level;     /* of the pin from the next interrupt on */
+static volatile __bit level;     /* the pin's level from the next interrupt on */
 static volatile uint16_t reload; /* for the phase that the next interrupt starts */
 static volatile __bit is_second; /* the next interrupt starts a second phase */
 static volatile uint16_t first_reload;
@@ -47,7 +48,7 @@ static inline void prepare_first(void)
 
 void pwm_interrupt(void) __interrupt(3) __using(1)
 {
-    pin_pwm = level; /* first, so that both edges come equally late */
+    pin_pwm = level; /* first, so that both edges are late by the same time */
     PHASE_ADVANCE("1", "_reload", "(_reload + 1)");
     if (is_second) {
         is_second = 0;
@@ -96,8 +97,8 @@ void hal_brake_set(uint8_t brake_pct)
         }
     }
     new_is_set = 1;
-    /* 256 cycles or more to the next edge, and no edge due meanwhile (a high byte of less than 128)
-     * nor before this was asked: time for what follows, and for the other interrupts in it. */
+    /* If the next edge is at least 256 cycles away there is time for what follows, even with other
+     * interrupts in between. A high byte below 128 means that the timer has already overflowed. */
     if ((uint8_t)(TH1 - 128U) < 127U && !is_second) {
         take_new();
         prepare_first();

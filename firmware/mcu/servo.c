@@ -1,6 +1,8 @@
-/* Timer 0: a servo's pulses, two interrupts each 20 ms. They rank with the PWM's and start 1.5 % of
- * its period after one of its edges at rest, and its other edges come at whole percents: so none
- * meets the start of a pulse, nor the end of one of whole tenths of a millisecond. */
+/* Timer 0: the servo's pulses, two interrupts each 20 ms. They have the same priority as the PWM's
+ * interrupt, so the two must not come at the same time. The edges of the PWM are at whole percents
+ * of its period. A servo pulse starts 1.5 % of the PWM's period after one of its edges: so its
+ * start never meets a PWM edge, and neither does its end if the pulse is whole tenths of a
+ * millisecond long. */
 #include "sfr.h"
 #include "fixed.h"
 #include "hal_head.h"
@@ -9,7 +11,7 @@
 #define PERIOD_MC (CYCLES_PER_S / 50U)
 #define OFFSET_MC (CYCLES_PER_S / 1000U * 15U / 100U)
 
-/* Cycles of so many us: whole ones of each, and the rest in 1/65536. */
+/* Cycles in one microsecond: whole ones, and the remainder in 1/65536. */
 #define WHOLE_MC (CYCLES_PER_S / 1000000U)
 #define REST_Q16 ((uint16_t)(CYCLES_PER_S % 1000000U * 65536ULL / 1000000U))
 
@@ -55,8 +57,8 @@ static void start(void)
     do {
         high = TH1;
         low = TL1;
-    } while (high != TH1); /* rounds: 1, as it stays for 256 cycles */
-    /* The PWM's timer is that far from its next edge; this one overflows OFFSET_MC after it. */
+    } while (high != TH1); /* rounds: 1, because TH1 changes each 256 cycles only */
+    /* The PWM's next edge is when its timer overflows; this timer overflows OFFSET_MC later. */
     TMOD = (TMOD & 0xF0) | T0_M0; /* 16 bits */
     reload = (uint16_t)(((uint16_t)high << 8) | low) - OFFSET_MC;
     TL0 = (uint8_t)reload;

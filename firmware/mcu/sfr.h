@@ -1,4 +1,4 @@
-/* The 8052's registers and the board's pins. Only firmware/mcu/ *.c include this. */
+/* The 8052's registers and the board's pins. Only the C files of firmware/mcu include this. */
 #ifndef FUZZY51_SFR_H
 #define FUZZY51_SFR_H
 
@@ -19,18 +19,18 @@
 
 #define CYCLES_PER_S (CLK_HZ / 12U)
 
-__sbit __at(PIN_PWM) pin_pwm;         /* high: brake */
-__sbit __at(PIN_STOP) pin_stop;       /* high: stop */
-__sbit __at(PIN_TRIGGER) pin_trigger; /* 10 us high: measure */
-__sbit __at(PIN_LAMP) pin_lamp;       /* low: on */
-__sbit __at(PIN_BUZZER) pin_buzzer;   /* low: on */
-__sbit __at(PIN_SERVO) pin_servo;     /* pulses of 1..2 ms, where a controller has a servo */
-__sbit __at(PIN_CUT) pin_cut;         /* high: the driver's throttle is cut, where one does that */
-__sbit __at(PIN_LANE) pin_lane;       /* low: the next lane is asked for */
-__sbit __at(PIN_ECHO) pin_echo;       /* high as long as the sound takes */
+__sbit __at(PIN_PWM) pin_pwm;           /* high: brake */
+__sbit __at(PIN_STOP) pin_stop;         /* high: STOP */
+__sbit __at(PIN_TRIGGER) pin_trigger;   /* 10 us high: measure */
+__sbit __at(PIN_LAMP) pin_lamp;         /* low: on */
+__sbit __at(PIN_BUZZER) pin_buzzer;     /* low: on */
+__sbit __at(PIN_SERVO) pin_servo;       /* pulses of 1..2 ms, if the controller has a servo */
+__sbit __at(PIN_CUT) pin_cut;           /* high: the driver's throttle is cut */
+__sbit __at(PIN_LANE) pin_lane;         /* low: the next lane is asked for */
+__sbit __at(PIN_ECHO) pin_echo;         /* high while the sound travels */
 __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 
-/* The parts of hal_init, each in its file. */
+/* The parts of hal_init; each file of a peripheral has one. */
 void pwm_init(void);
 void sensor_init(void);
 void uart_init(void);

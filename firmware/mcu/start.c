@@ -1,17 +1,18 @@
-/* From reset to main: safe pins, reset cause, RAM and stack. */
+/* From reset to main: safe pins, reset cause, tests of RAM and stack. And the simple pins. */
 #include "sfr.h"
 
-/* RAM keeps its bytes through a reset, so the signature tells a restart from power coming up.
- * SDCC's start-up clears all RAM, but after it has called _sdcc_external_startup. */
+/* RAM keeps its content through a reset. So this signature in RAM tells a restart from power-on.
+ * SDCC's start-up clears all RAM, but only after it has called _sdcc_external_startup. */
 #define SIGNATURE_1 0x51
 #define SIGNATURE_2 0xC3
 #define SIGNATURE_3 0x2E
 static volatile __idata uint8_t signature[3];
 
-/* Two general flags of PCON take the finding over the clearing of RAM; reset clears them. */
+/* The cause is kept in two general-purpose flags of PCON while RAM is cleared. A reset clears them.
+ */
 #define CAUSE_SHIFT 2U
 #define CAUSE_MASK  (3U << CAUSE_SHIFT) /* GF1, GF0 */
-#define POWER_OFF   0x10U /* POF: set by power coming up, cleared by us; 0 where there is none */
+#define POWER_OFF   0x10U /* POF: power-on sets it, we clear it; 0 on chips without it */
 
 #define STACK_PAINT 0xAA
 #define RAM_TOP     0xFF
@@ -28,7 +29,8 @@ static bool ram_is_good;
 #define EXTERNAL_STARTUP _sdcc_external_startup
 #endif
 
-/* Runs before anything else, on an empty stack; 0 lets SDCC's start-up initialise the variables. */
+/* SDCC's start-up calls this before anything else, with an empty stack. The result 0 lets it go on
+ * and initialise the variables. */
 unsigned char EXTERNAL_STARTUP(void)
 {
     uint8_t cause = HAL_RESET_POWER;
@@ -41,7 +43,7 @@ unsigned char EXTERNAL_STARTUP(void)
     if (signature[0] == SIGNATURE_1 && signature[1] == SIGNATURE_2 && signature[2] == SIGNATURE_3 &&
         (PCON & POWER_OFF) == 0) {
 #if defined(WATCHDOG_at89s52)
-        cause = HAL_RESET_WATCHDOG; /* the reset pin looks the same: the careful answer for both */
+        cause = HAL_RESET_WATCHDOG; /* a reset by pin looks the same; take the worse cause */
 #elif defined(WATCHDOG_stc89)
         cause = (WDT_CONTR & 0x80) ? HAL_RESET_WATCHDOG : HAL_RESET_PIN;
 #else
@@ -57,9 +59,9 @@ uint8_t hal_reset_cause(void)
     return (PCON & CAUSE_MASK) >> CAUSE_SHIFT;
 }
 
-/* Each byte but the eight registers that this runs in takes two patterns and gets its own back. In
- * assembly, because SDCC 4.5 drops reads through a pointer to volatile bytes: it compares with what
- * it has just written there. */
+/* Writes and reads two patterns in each byte of RAM and restores it, except for the eight registers
+ * that this code uses. It is assembly because SDCC 4.5 drops reads through a pointer to volatile
+ * bytes: it compares with what it has just written there. */
 static bool test_ram(void) __naked
 {
     /* clang-format off */
@@ -86,7 +88,7 @@ static bool test_ram(void) __naked
 static void paint_stack(void)
 {
     uint8_t __idata *byte =
-        (uint8_t __idata *)(uint8_t)(SP + 8); /* the calls below need some of it */
+        (uint8_t __idata *)(uint8_t)(SP + 8); /* the next calls need some stack */
 
     do {
         *byte = STACK_PAINT;
@@ -131,7 +133,7 @@ bool hal_stack_is_good(void)
     return *(volatile uint8_t __idata *)RAM_TOP == STACK_PAINT;
 }
 
-/* Changes of the lamp, the buzzer and the stop line are single instructions: no glitch. */
+/* Each of these is a single instruction, so the pin has no glitch. */
 void hal_stop_set(bool on)
 {
     pin_stop = on;
@@ -158,7 +160,7 @@ void hal_watchdog_feed(void)
     WDTRST = 0x1E;
     WDTRST = 0xE1;
 #elif defined(WATCHDOG_stc89)
-    WDT_CONTR = 0x30; /* on, counted from now, 12 * 2 * 32768 clocks: 65.5 ms at 12 MHz */
+    WDT_CONTR = 0x30; /* on, restarted, 12 * 2 * 32768 clocks: 65.5 ms at 12 MHz */
 #elif !defined(WATCHDOG_none)
 #error the board must say WATCHDOG := none, at89s52 or stc89
 #endif

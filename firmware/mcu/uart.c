@@ -1,4 +1,4 @@
-/* The UART asked, never interrupting. */
+/* The UART, by polling, without an interrupt. */
 #include "sfr.h"
 
 bool hal_uart_ready(void)

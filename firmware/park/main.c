@@ -58,3 +58,11 @@ uint8_t app_lamp(void)
 {
     return park.state == PARK_WAITING ? LAMP_FLICKER : LAMP_OFF;
 }
+
+void main(void)
+{
+    frames_init();
+    for (;;) {
+        frames_round();
+    }
+}

@@ -59,3 +59,11 @@ uint8_t app_lamp(void)
 {
     return radar.state == RADAR_BRAKING ? LAMP_FLICKER : LAMP_OFF;
 }
+
+void main(void)
+{
+    frames_init();
+    for (;;) {
+        frames_round();
+    }
+}

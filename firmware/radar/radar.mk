@@ -4,7 +4,7 @@ IMAGES_OF_radar := radar radar_mom
 radar_TABLE   := tables/radar.fis
 radar_FISTAB  := --grid=13x13 --samples=7 --levels=240 --half-down
 radar_CYCLES  := $(FRAME_CYCLES)
-radar_MODULES := $(FRAME_MODULES) $(addprefix radar/,main radar fmcw lane safe) lib/mul_u16
+radar_MODULES := radar/main $(FRAME_MODULES) $(addprefix radar/,radar fmcw lane safe) lib/mul_u16
 
 # The same with the mean of maxima, to compare with: it misses the second published case.
 radar_mom_TABLE   := build/radar_mom.fis

@@ -10,6 +10,7 @@ uint16_t bench_ticks(void);
 #define hal_echo_cycles bench_ticks
 #define main            brake_main
 #include "../../firmware/brake/main.c"
+#undef main
 
 const uint16_t __code bench_steps = 4000;
 #define PLAIN_CS 6U
@@ -137,4 +138,9 @@ uint16_t bench_misses(void)
 {
     return zeros((uint8_t)((2U << BRAKE_FAULT_LOST) - 1U), faults_seen) +
            zeros(STATES_DUE, states_seen);
+}
+
+void main(void)
+{
+    bench_run();
 }

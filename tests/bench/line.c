@@ -7,7 +7,7 @@
 #include "step.h"
 #include "head.h"
 
-uint8_t frame_body[FRAME_BODY_MAX];
+uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
 int main(int count, char *words[])
 {

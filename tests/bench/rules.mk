@@ -1,11 +1,14 @@
-# Images that time an image's control step: a main of the bench in place of brake/main or frames/frames,
-# linked without a limit of code size. A controller fed by frames has its payloads in tests/bench/NAME.c.
+# Images that time an image's control step, linked without a limit of code size. For the brake
+# tests/bench/brake takes the place of brake/main; for a frame-fed controller tests/bench/frames takes
+# the place of frames/frames, and its payloads are in tests/bench/NAME.c. The object with main is first.
 ifneq ($(BOARD),)
 define bench_rules
 $(call compile_rules,$(1),)
-$(OUT)/bench/$(1).ihx: $(patsubst %,$(OUT)/$(1)/%.rel,tests/bench/step \
-        $(if $(filter frames/frames,$($(1)_MODULES)),tests/bench/frames) tests/bench/$(call controller_of,$(1)) \
-        $(filter-out brake/main frames/frames,$($(1)_MODULES)))
+$(OUT)/bench/$(1).ihx: $(patsubst %,$(OUT)/$(1)/%.rel, \
+        $(if $(filter frames/frames,$($(1)_MODULES)), \
+            $(patsubst frames/frames,tests/bench/frames tests/bench/$(call controller_of,$(1)),$($(1)_MODULES)), \
+            $(patsubst brake/main,tests/bench/brake,$($(1)_MODULES))) \
+        tests/bench/step)
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_LINK) --code-size 65536 $$^ -o $$@
 endef

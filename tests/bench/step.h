@@ -22,4 +22,7 @@ uint16_t bench_misses(void);
 /* The nth payload of bench_steps, put into frame_body. */
 void bench_payload(uint16_t n);
 
+/* Times all steps, prints the figures, and stops the simulator. */
+void bench_run(void);
+
 #endif
