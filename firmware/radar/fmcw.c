@@ -1,17 +1,17 @@
-/* Beat frequencies to range and closing speed: one 16-bit multiplication each. */
+/* From beat frequencies to range and closing speed, by one 16-bit multiplication each. */
 #include "fmcw.h"
 #include "fixed.h"
 
-/* c T / (8 B) is 0.0499654 cm/Hz: of a sum in units of 16 Hz, 52392.5 / 65536. */
+/* c T / (8 B) is 0.0499654 cm/Hz. For a sum in units of 16 Hz it is 52392.5 / 65536. */
 #define RANGE_SHIFT 4
 #define RANGE_Q16   52392U
 
-/* c / (4 f0) is 0.0350407 tenths of km/h a Hz: of a difference in units of 2 Hz, 36743 / 65536 / 8.
- */
+/* c / (4 f0) is 0.0350407 tenths of km/h for each Hz. For a difference in units of 2 Hz it is
+ * 36743 / 65536 / 8. */
 #define SPEED_SHIFT 1
 #define SPEED_Q19   36743U
 
-/* How fast a car may come towards us, over the own speed. */
+/* The fastest car that drives backwards towards us. */
 #define BACKWARDS_DKMH 100U
 
 bool fmcw_pair_is_possible(int32_t up_hz, int32_t down_hz)

@@ -1,4 +1,4 @@
-/* The lane gate: a quarter sine and four 16-bit multiplications. */
+/* The lane gate: a table of sines and four 16-bit multiplications. */
 #include "lane.h"
 #include "cc51.h"
 #include "fixed.h"
@@ -10,10 +10,10 @@ static const uint16_t __code sine_q16[33] = {
     33692, 35062, 36410, 37736, 39040, 40320, 41576, 42806, 44011, 45190, 46341,
 };
 
-uint16_t lane_sine_q16(uint16_t angle)
+uint16_t lane_sine_q16(uint16_t angle_turn16)
 {
-    uint8_t at = (uint8_t)(angle >> 8);
-    uint8_t beyond = (uint8_t)angle;
+    uint8_t at = (uint8_t)(angle_turn16 >> 8);
+    uint8_t beyond = (uint8_t)angle_turn16;
     uint16_t sine = sine_q16[at];
 
     if (beyond != 0) {
@@ -22,7 +22,7 @@ uint16_t lane_sine_q16(uint16_t angle)
     return sine;
 }
 
-bool lane_is_own(uint16_t range_cm, int16_t azimuth, int16_t curvature_upm)
+bool lane_is_own(uint16_t range_cm, int16_t azimuth_turn16, int16_t curvature_upm)
 {
     uint16_t curvature = (uint16_t)(curvature_upm < 0 ? -curvature_upm : curvature_upm);
     uint32_t arc;
@@ -31,20 +31,22 @@ bool lane_is_own(uint16_t range_cm, int16_t azimuth, int16_t curvature_upm)
     if (range_cm > LANE_RANGE_MAX_CM) {
         return false;
     }
-    /* s / r0 in radians is arc * 1e-8; in units of 2^10 it fits 16 bits up to 0.67 rad. */
+    /* range_cm * curvature is s / r0 in 1e-8 radians. Divided by 2^10 it fits 16 bits up to 0.67
+     * radians, which is 38 degrees. */
     arc = mul_u16(range_cm, curvature) >> 10;
     if (arc > UINT16_MAX) {
         return false;
     }
 
-    offset_cm =
-        (int16_t)mul_hi_u16(range_cm, lane_sine_q16((uint16_t)(azimuth < 0 ? -azimuth : azimuth)));
-    if ((azimuth < 0) != (curvature_upm < 0)) {
+    offset_cm = (int16_t)mul_hi_u16(
+        range_cm, lane_sine_q16((uint16_t)(azimuth_turn16 < 0 ? -azimuth_turn16 : azimuth_turn16)));
+    if ((azimuth_turn16 < 0) != (curvature_upm < 0)) {
         offset_cm = (int16_t)-offset_cm;
     }
-    /* 1e-8 * 2^10 * 65536 is 43980.5 / 65536. */
+    /* s^2 / (2 r0): the factor is 1e-8 * 2^10 = 0.67109 / 65536, and 0.67109 is 43980.5 / 65536. */
     offset_cm -= (int16_t)(mul_hi_u16(range_cm, mul_hi_u16((uint16_t)arc, 43980U)) >> 1);
-    /* d^2 / 8 is 17578 cm2; times 1e-8 it is 11.5 / 65536: 6 cm in the tightest bend. */
+    /* d^2 / (8 r0): d^2 / 8 is 17578 cm2, and 17578 * 1e-8 is 11.5 / 65536. In the tightest bend it
+     * is 6 cm. */
     offset_cm += (int16_t)mul_hi_u16(curvature, 12U);
     if (offset_cm < 0) {
         offset_cm = (int16_t)-offset_cm;

@@ -1,4 +1,4 @@
-/* Gate, table, release. */
+/* The radar's decision: when to brake, how hard, and when to let go. */
 #include "radar.h"
 #include "fixed.h"
 #include "fmcw.h"
@@ -14,13 +14,13 @@
 #define FLAGS_KNOWN       (RADAR_TARGET | RADAR_SIGNED)
 #define GATE_RANGE_MAX_CM 10000U
 #define CLOSING_MAX_DKMH  600
-#define FRAMES_AWAY_MAX   3 /* without a target in the lane before the brake lets go */
+#define FRAMES_AWAY_MAX   3 /* without a target in the lane: then the brake lets go */
 #define BRAKE_COAST_PCT   10
 #define BRAKE_FULL_PCT    100
 
 __idata struct radar radar;
 
-static __idata uint8_t frames_away;
+static __idata uint8_t frames_away; /* without a target in the lane, in a row */
 
 void radar_init(void)
 {
@@ -38,7 +38,8 @@ uint8_t radar_row(int16_t closing_dkmh)
     if (closing_dkmh >= CLOSING_MAX_DKMH) {
         return 12;
     }
-    /* (V + 25) / 50: 1311 / 65536 is 1/50 and 14 / 65536 / 50 more, exact below 4681. */
+    /* (V + 25) / 50, by the reciprocal 1311 / 65536. That is a little more than 1/50; the quotient
+     * is exact below 4681. */
     return (uint8_t)mul_hi_u16((uint16_t)(closing_dkmh + 25), 1311U);
 }
 
@@ -47,7 +48,8 @@ uint8_t radar_col(uint16_t range_cm)
     if (range_cm >= GATE_RANGE_MAX_CM) {
         return 12;
     }
-    /* (3 S + 1250) / 2500: 26844 / 2^26 is 1/2500 and a little more, exact below 59,000. */
+    /* (3 S + 1250) / 2500, by the reciprocal 26844 / 2^26. That is a little more than 1/2500; the
+     * quotient is exact below 59,000. */
     return (uint8_t)(mul_hi_u16((uint16_t)(range_cm * 3U + 1250U), 26844U) >> 10);
 }
 
@@ -95,7 +97,7 @@ static void brake(void)
     radar.row = radar_row(radar.closing_dkmh);
     radar.col = radar_col(radar.range_cm);
     radar.level = lut_at(radar.row, radar.col);
-    /* 0.8 m/s2 and 0.03 m/s2 a level, of the 8 m/s2 that 100 % asks for. */
+    /* 0.8 m/s2, and 0.03 m/s2 for each level; 100 % is 8 m/s2. */
     radar.brake_pct =
         (uint8_t)(BRAKE_COAST_PCT + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
     if (radar.brake_pct > BRAKE_FULL_PCT) {
@@ -110,7 +112,7 @@ void radar_decide(void)
     radar.safe_cm = safe_distance_cm(radar.own_dkmh);
     if (!(radar.flags & RADAR_TARGET) ||
         !lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
-        /* A target can be out of sight for a moment, behind a bump or at the edge of the lane. */
+        /* A target can be hidden for a moment, by a bump or at the edge of the lane. */
         if (radar.state == RADAR_DRIVER || ++frames_away >= FRAMES_AWAY_MAX) {
             let_go();
         }

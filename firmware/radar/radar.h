@@ -1,9 +1,15 @@
-/* The collision avoidance of the millimetre-wave radar: from beat frequencies to a braking command.
+/* The collision avoidance with a millimetre-wave radar: from beat frequencies to a brake command.
  *
- * The driver keeps control until a target in the own lane is nearer than the safe distance S_F, at
- * most 100 m, and comes nearer; then the throttle is cut and the table of tables/radar.fis says how
- * hard to brake, until the closing speed is gone (V_R <= 0, not until S > S_F: that would let go in
- * the middle of it). */
+ * The driver has control until a target in the own lane is nearer than the safe distance S_F (at
+ * most 100 m) and comes nearer. Then the throttle is cut, and the table of tables/radar.fis says
+ * how hard to brake, until the closing speed is gone (V_R <= 0). It would be wrong to brake only
+ * until S > S_F: that would let go in the middle of it.
+ *
+ *     state      lost link  no target in the lane       target, V_R > 0          target, V_R <= 0
+ *     DRIVER     FAULT      -                           BRAKING if S < S_F       -
+ *     BRAKING    FAULT      DRIVER at the third frame   -                        DRIVER
+ *     FAULT      -          DRIVER at the third frame   BRAKING if S < S_F,      DRIVER
+ *                                                       else DRIVER                             */
 #ifndef FUZZY51_RADAR_H
 #define FUZZY51_RADAR_H
 
@@ -21,55 +27,81 @@
 #define RADAR_PAYLOAD_BYTES 13
 
 enum radar_flags {
-    RADAR_TARGET = 1, /* there is one; without it beats and azimuth say nothing */
-    RADAR_SIGNED = 2, /* the front end has I and Q: it knows a negative beat */
+    RADAR_TARGET = 1, /* there is a target; otherwise beats and azimuth have no meaning */
+    RADAR_SIGNED = 2, /* the front end has I and Q: it knows the sign of a beat */
 };
 
 enum radar_state {
     RADAR_DRIVER,  /* the driver has control */
-    RADAR_BRAKING, /* throttle cut, the table brakes */
-    RADAR_FAULT,   /* no link: throttle cut, brake at FAULT_PCT or where it stood, whichever is more
-                    */
+    RADAR_BRAKING, /* the throttle is cut, the table brakes */
+    RADAR_FAULT,   /* the link is lost: the throttle is cut, the brake never falls */
 };
 
 struct radar {
     uint16_t range_cm;
-    int16_t closing_dkmh; /* tenths of km/h, positive when approaching */
+    int16_t closing_dkmh; /* tenths of km/h, positive when the target comes nearer */
     uint16_t own_dkmh;
-    int16_t azimuth;
+    int16_t azimuth; /* 65,536ths of a turn */
     int16_t curvature_upm;
-    uint8_t flags;
+    uint8_t flags; /* enum radar_flags */
     uint16_t safe_cm;
     uint8_t row, col; /* of the table: closing speed and range as levels, 0..12 */
-    uint8_t level;    /* the table's answer, 40 (J_A + 3) */
+    uint8_t level;    /* the table's cell, 40 (J_A + 3), 0..240 */
     uint8_t brake_pct;
-    uint8_t state;
+    uint8_t state; /* enum radar_state */
 };
 
 /* What the controller last read and decided. */
 extern __idata struct radar radar;
 
-/* No target, the driver has control. */
+/*@ predicate radar_is_valid =
+        radar.brake_pct <= 100 && radar.state <= RADAR_FAULT &&
+        -4593 <= radar.closing_dkmh <= 4593 && radar.own_dkmh <= 2500 &&
+        -8192 <= radar.azimuth <= 8192 && radar.curvature_upm > -32768; */
+
+/* Sets the state at start: no target, the driver has control. */
+/*@ ensures radar.state == RADAR_DRIVER && radar.brake_pct == 0 && radar.flags == 0; */
 void radar_init(void);
 
-/* Takes the payload of a good frame. Returns false, with everything as before, when a value is out
- * of range (see fmcw.h, safe.h, lane.h for theirs), when an unknown flag is set, when a front end
- * without a sign sends a negative beat, or when its sign matters (fmcw_sign_is_open). */
+/* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if
+ *     a value is out of its range (fmcw.h, safe.h, lane.h),
+ *     an unknown flag is set, or
+ *     a front end without sign sends a negative beat or one with two meanings (fmcw_sign_is_open).
+ */
+/*@ requires radar_is_valid;
+    ensures radar_is_valid;
+    ensures !\result ==> radar == \old(radar); */
 bool radar_read(void);
 
-/* One control step on what was read, while the link is up. */
+/* Makes one control step with what was read. Call it only while the link is up. */
+/*@ requires radar_is_valid;
+    ensures radar_is_valid;
+    ensures radar.state == RADAR_DRIVER ==> radar.brake_pct == 0; */
 void radar_decide(void);
 
-/* One control step while the link is lost: FAULT, never less brake than before, `fault_pct` at
- * least. */
+/* Makes one control step while the link is lost: FAULT. The brake takes the larger of its last
+ * percent and fault_pct (0..100). */
+/*@ requires radar_is_valid && fault_pct <= 100;
+    ensures radar_is_valid;
+    ensures radar.state == RADAR_FAULT;
+    ensures radar.brake_pct == \max(\old(radar.brake_pct), fault_pct); */
 void radar_lose(uint8_t fault_pct);
 
-/* Whether the driver's throttle is cut. */
+/* Returns whether the driver's throttle is cut: in BRAKING and FAULT. */
+/*@ assigns \nothing;
+    ensures \result <==> radar.state != RADAR_DRIVER; */
 bool radar_cuts_throttle(void);
 
-/* The rows and columns of the table: floor((12 V + 30) / 60) of the closing speed V in km/h, and
- * floor((12 S + 50) / 100) of the range S in m, limited to 0..12. */
+/* Return the row and the column of the table, 0..12: floor((12 V + 30) / 60) of the closing speed V
+ * in km/h, and floor((12 S + 50) / 100) of the range S in m, limited to 12. */
+/*@ assigns \nothing;
+    ensures 0 <= closing_dkmh <= 600 ==> \result == (closing_dkmh + 25) / 50;
+    ensures closing_dkmh < 0 ==> \result == 0;
+    ensures closing_dkmh > 600 ==> \result == 12; */
 uint8_t radar_row(int16_t closing_dkmh);
+/*@ assigns \nothing;
+    ensures range_cm <= 10000 ==> \result == (range_cm * 3 + 1250) / 2500;
+    ensures range_cm > 10000 ==> \result == 12; */
 uint8_t radar_col(uint16_t range_cm);
 
 #endif
