@@ -1,12 +1,12 @@
-/* The follower's decision: thresholds to cells, cells to commands. */
+/* The follower's decision: from values to cells of the table, and from cells to commands. */
 #include "follow.h"
 #include "cc51.h"
 #include "frame.h"
 #include "lut.h"
 
-#define GAP_END_MM 10000U /* of the table */
+#define GAP_END_MM 10000U /* the table's end */
 
-/* Levels of both outputs run over -2..2, so 2 is 0 and one level is 1. */
+/* The levels 0..4 of both outputs mean -2..2. The sum of two levels is twice their mean. */
 #define LEVEL_ZERO_X2 4
 #if LUT_LEVELS != 4 || LUT_IN1_CELLS != 5 || LUT_IN2_CELLS != 3 || LUT_IN3_CELLS != 3
 #error "follow wants tables/follow.fis in 5x3x3 cells with 4 levels"
@@ -18,39 +18,44 @@ static const int16_t __code to_change_mm_at[] = {-50, 50};
 
 struct follow follow;
 
-/* The cell of a value, and in `last_cell` the one above if it is on the threshold between both. */
-static uint8_t last_cell;
-
-static uint8_t first_cell(int16_t value, const int16_t __code *threshold, uint8_t thresholds)
+/* How many of the thresholds are below the value: that is its cell. */
+/*@ requires thresholds <= 4 && \valid_read(threshold + (0 .. thresholds - 1));
+    assigns \nothing;
+    ensures \result <= thresholds; */
+static uint8_t cell_of(int16_t value, const int16_t __code *threshold, uint8_t thresholds)
 {
     uint8_t cell = 0;
 
+    /*@ loop invariant cell <= thresholds;
+        loop assigns cell;
+        loop variant thresholds - cell; */
     while (cell < thresholds && value > threshold[cell]) { /* rounds: 4 */
         cell++;
     }
-    last_cell = cell;
-    if (cell < thresholds && value == threshold[cell]) {
-        last_cell++;
-    }
     return cell;
 }
+
+/* A value on a threshold belongs to the cells on both sides. */
 #define FIRST_CELL(value, threshold)                                                               \
-    first_cell(value, threshold, sizeof threshold / sizeof threshold[0])
+    cell_of(value, threshold, sizeof threshold / sizeof threshold[0])
+#define LAST_CELL(value, threshold) FIRST_CELL((int16_t)((value) + 1), threshold)
 
 void follow_look_up(void)
 {
     int16_t gap_mm = (int16_t)(follow.gap_mm < GAP_END_MM ? follow.gap_mm : GAP_END_MM);
-    uint8_t gap_first = FIRST_CELL(gap_mm, gap_mm_at), gap_last = last_cell;
-    uint8_t closing_first =
-        FIRST_CELL((int16_t)(follow.own_mmps - follow.lead_mmps), closing_mmps_at);
-    uint8_t closing_last = last_cell;
-    uint8_t change_first = FIRST_CELL((int16_t)(gap_mm - FOLLOW_CHANGE_MM), to_change_mm_at);
-    uint8_t change_last = last_cell;
+    int16_t closing_mmps = (int16_t)(follow.own_mmps - follow.lead_mmps);
+    int16_t to_change_mm = (int16_t)(gap_mm - FOLLOW_CHANGE_MM);
+    uint8_t gap_first = FIRST_CELL(gap_mm, gap_mm_at);
+    uint8_t gap_last = LAST_CELL(gap_mm, gap_mm_at);
+    uint8_t closing_first = FIRST_CELL(closing_mmps, closing_mmps_at);
+    uint8_t closing_last = LAST_CELL(closing_mmps, closing_mmps_at);
+    uint8_t change_first = FIRST_CELL(to_change_mm, to_change_mm_at);
+    uint8_t change_last = LAST_CELL(to_change_mm, to_change_mm_at);
     uint8_t command_least = LUT_LEVELS, command_most = 0, change_least = LUT_LEVELS,
             change_most = 0;
     uint8_t gap, closing, change, level;
 
-    /* The mean of a row of maxima is the middle of its ends. */
+    /* The mean of the maxima is the middle between the least and the greatest. */
     for (gap = gap_first; gap <= gap_last; gap++) {                         /* rounds: 2 */
         for (closing = closing_first; closing <= closing_last; closing++) { /* rounds: 2 */
             for (change = change_first; change <= change_last; change++) {  /* rounds: 2 */

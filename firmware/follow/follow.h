@@ -1,12 +1,12 @@
-/* Following a robot and asking for the next lane: a table of tables/follow.fis decides to slow
- * down, to hold or to speed up, and whether to change lanes. After Liu and Fang, 2015.
+/* Following a robot and asking for the next lane. The table of tables/follow.fis decides whether to
+ * slow down, hold or speed up, and whether to change lanes. After Liu and Fang, 2015.
  *
- * The system's mean of maxima is constant between thresholds, where two sets are equal: gap 2, 4,
- * 6, 8 m, closing speed -1 and 1 m/s, gap less change distance -0.05 and 0.05 m. On a threshold it
- * is the mean of the cells on both sides, half a command.
+ * The system answers with the mean of maxima. That is constant between thresholds, at which two
+ * sets are equal: gap 2, 4, 6, 8 m; closing speed -1 and 1 m/s; gap minus change distance -0.05 and
+ * 0.05 m. On a threshold it is the mean of the cells on both sides, which can be half a command.
  *
- * Outside the table: if the wished change is refused, because the next lane is taken, the robot
- * slows down. The published system has no such rule, see FOLLOW_AS_PUBLISHED. */
+ * One rule is not in the table: if the robot wants to change lanes but the next lane is taken, it
+ * slows down. The published system has no such rule; see FOLLOW_AS_PUBLISHED. */
 #ifndef FUZZY51_FOLLOW_H
 #define FUZZY51_FOLLOW_H
 
@@ -21,14 +21,15 @@
 
 #define FOLLOW_CHANGE_MM 1000 /* the change distance */
 
-/* Whether a refused change brakes; 0 for the system as published. */
+/* Whether the robot slows down when the next lane is taken; 0 for the system as published. */
 #ifdef FOLLOW_AS_PUBLISHED
 #define FOLLOW_YIELDS 0
 #else
 #define FOLLOW_YIELDS 1
 #endif
 
-/* The throttle is a servo pulse of so many us, from closed to 2 m/s2; the brake is 100 % at 2 m/s2.
+/* The throttle is a servo pulse: from closed to full, which is 2 m/s2. The brake is 100 % at 2
+ * m/s2.
  */
 #define FOLLOW_THROTTLE_CLOSED_US 1000U
 #define FOLLOW_THROTTLE_FULL_US   2000U
@@ -36,18 +37,17 @@
 enum follow_state {
     FOLLOW_WAITING, /* no three good frames yet: full brake, the robot does not roll */
     FOLLOW_CONTROL,
-    FOLLOW_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up
-                     again */
+    FOLLOW_FAULT, /* the link is lost: the throttle is closed, the brake never falls */
 };
 
 struct follow {
     uint16_t gap_mm, own_mmps, lead_mmps; /* as last read */
     bool lane_is_taken;
-    int8_t command_x2; /* -2 slow down, 0 hold, 2 speed up: by 2 m/s2; in halves, for thresholds */
+    int8_t command_x2; /* -2 slow down, 0 hold, 2 speed up, by 2 m/s2; -1 and 1: on a threshold */
     uint8_t change_x2; /* 0 stay, 2 change lanes; 1 on a threshold: not yet */
     bool asks_for_lane;
     uint8_t brake_pct;
-    bool stop; /* the stop line: until the link is up for the first time */
+    bool stop; /* the STOP pin: on until the link is up for the first time */
     uint16_t throttle_us;
     uint8_t state; /* enum follow_state */
 };
@@ -55,22 +55,46 @@ struct follow {
 /* What the controller last read and decided. */
 extern struct follow follow;
 
-/* Full brake, throttle closed, waiting. */
+/*@ predicate follow_is_valid =
+        follow.gap_mm <= FOLLOW_GAP_MAX_MM && follow.own_mmps <= FOLLOW_SPEED_MAX_MMPS &&
+        follow.lead_mmps <= FOLLOW_SPEED_MAX_MMPS && follow.brake_pct <= 100 &&
+        -2 <= follow.command_x2 <= 2 && follow.change_x2 <= 2 && follow.state <= FOLLOW_FAULT &&
+        FOLLOW_THROTTLE_CLOSED_US <= follow.throttle_us <= FOLLOW_THROTTLE_FULL_US; */
+
+/* Sets the state at start: WAITING, full brake, throttle closed. */
+/*@ ensures follow.state == FOLLOW_WAITING && follow.brake_pct == 100 && follow.stop;
+    ensures follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
 void follow_init(void);
 
-/* Takes the payload of a good frame. Returns false, with everything as before, when a value is out
- * of range: gap > FOLLOW_GAP_MAX_MM, a speed > FOLLOW_SPEED_MAX_MMPS, a lane that is neither. */
+/* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if a value
+ * is out of range: gap > FOLLOW_GAP_MAX_MM, a speed > FOLLOW_SPEED_MAX_MMPS, a lane not 0 or 1. */
+/*@ requires follow_is_valid;
+    ensures follow_is_valid;
+    ensures !\result ==> follow == \old(follow); */
 bool follow_read(void);
 
-/* The table on what was read: sets command_x2 and change_x2, nothing else. */
+/* Looks up the table with what was read: sets command_x2 and change_x2, nothing else. */
+/*@ requires follow_is_valid;
+    assigns follow.command_x2, follow.change_x2;
+    ensures follow_is_valid; */
 void follow_look_up(void);
 
-/* One control step on what was read, while the link is up; made for one in 100 ms. Under 1,600 mc
- * with follow_read, where three thresholds meet; 800 elsewhere. */
+/* Makes one control step with what was read. Call it only while the link is up, each 100 ms.
+ * Together with follow_read less than 1,900 mc where three thresholds meet, and 1,100 elsewhere. */
+/*@ requires follow_is_valid;
+    ensures follow_is_valid;
+    ensures follow.state == FOLLOW_CONTROL && !follow.stop;
+    ensures follow.asks_for_lane ==> follow.change_x2 == 2;
+    ensures follow.brake_pct == 0 || follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
 void follow_decide(void);
 
-/* One control step while the link is lost: never less brake than before, `fault_pct` at least, and
- * no lane is asked for. */
+/* Makes one control step while the link is lost: FAULT, throttle closed, no lane is asked for. The
+ * brake takes the larger of its last percent and fault_pct (0..100). */
+/*@ requires follow_is_valid && fault_pct <= 100;
+    ensures follow_is_valid;
+    ensures follow.state == FOLLOW_FAULT && !follow.asks_for_lane;
+    ensures follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US;
+    ensures follow.brake_pct == \max(\old(follow.brake_pct), fault_pct); */
 void follow_lose(uint8_t fault_pct);
 
 #endif

@@ -1,5 +1,4 @@
-/* The gap controller's decision: products by the 8051's own multiplier, reciprocals for divisors.
- */
+/* The gap controller's decision. It divides by multiplying with reciprocals. */
 #include "gap.h"
 #include "fixed.h"
 #include "frame.h"
@@ -9,14 +8,14 @@
 #define LEAD_BRAKES_CMPS2 (-20)
 #define STANDING_CM       500U
 
-/* Reaches of the table: 0.2 of it is -2..4, 0.04 of it is -0.8..0.8. */
+/* The table's inputs: 0.2 (gap - D) in -2..4, and 0.04 (lead - v) in -0.8..0.8. */
 #define ROOM_MIN_CM      (-1000)
 #define ROOM_MAX_CM      2000
 #define OPENING_MAX_CMPS 2000
 #define ROOM_Q8          LUT_POSITION(LUT_IN1_CELLS, (ROOM_MAX_CM - ROOM_MIN_CM) * 4UL)
 #define OPENING_Q8       LUT_POSITION(LUT_IN2_CELLS, 2UL * OPENING_MAX_CMPS * 4UL)
 
-/* One level of the table in cm/s2, and the level that is 0. */
+/* One level of the table is 2^LEVEL_SHIFT cm/s2, and level LEVEL_ZERO is 0. */
 #define LEVEL_SHIFT 3
 #define LEVEL_ZERO  (LUT_LEVELS / 2)
 #if LUT_LEVELS != 200 || !LUT_IS_NODES
@@ -33,7 +32,7 @@ static uint8_t lead_state(void)
     return gap.lead_cmps2 >= LEAD_BRAKES_CMPS2 ? GAP_LEAD_DRIVES : GAP_LEAD_BRAKES;
 }
 
-/* The speed that D and h are made of. */
+/* The speed that D and h depend on. */
 static uint16_t speed_cmps(void)
 {
     if (gap.lead != GAP_LEAD_DRIVES) {
@@ -42,8 +41,8 @@ static uint16_t speed_cmps(void)
     return gap.own_cmps > gap.lead_cmps ? (uint16_t)(gap.own_cmps - gap.lead_cmps) : 0;
 }
 
-/* a * b / 1200, that is / (2A), for products up to 25,000,000. The reciprocal is of 512 / 1200 and
- * at most one too small; the rest, under 2,400, shows it in 16 bits. */
+/* a * b / 1200, that is a * b / (2A), for products up to 25,000,000. The product by the reciprocal
+ * of 1200 / 512 is at most one too small. Then the remainder, below 2,400, is 1200 or more. */
 static uint16_t over_2a_cm(uint16_t a, uint16_t b)
 {
     uint32_t product = mul_u16(a, b);
@@ -75,12 +74,12 @@ uint16_t gap_safe_cm(void)
     return (uint16_t)((safe_cm > braking_cm ? safe_cm - braking_cm : 0) + STANDING_CM);
 }
 
-/* 100 * diff_cmps / h_cs, h in 1/100 s, from 90 on: bit by bit, as a table of 1/h for each of its
- * 834 values would be larger than this controller. The quotient has 13 bits: 100 * 5000 / 90 is
- * 5555. */
+/* 100 * diff_cmps / h_cs, where h_cs is at least 90 hundredths of a second. A division bit by bit,
+ * because a table of 1 / h for all 834 values would be larger than this controller. The quotient
+ * has 13 bits: 100 * 5000 / 90 is 5555. */
 static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
 {
-    uint32_t product = (uint32_t)mul_u16(diff_cmps, 100U) << 3; /* the 13 low bits come first */
+    uint32_t product = (uint32_t)mul_u16(diff_cmps, 100U) << 3; /* the 13 low bits are divided */
     uint16_t rest = (uint16_t)(product >> 16);
     uint16_t bits = (uint16_t)product;
     uint8_t left = 13;
@@ -193,7 +192,7 @@ void gap_decide(void)
     if (gap.gap_cm != GAP_MAX_CM) {
         accel_cmps2 = (int16_t)(gap_lq_cmps2() + gap_fuzzy_cmps2());
     }
-    /* Half of it, towards 0. */
+    /* The mean of both laws, rounded towards 0. */
     if (accel_cmps2 < 0) {
         accel_cmps2++;
     }

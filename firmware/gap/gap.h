@@ -1,6 +1,6 @@
-/* Keeping a gap: the safe distance to the car in front, and from it an acceleration, half by an
- * optimal (LQ) law and half by the fuzzy table of tables/gap.fis. After Bi and Li; both cars brake
- * with A = 6 m/s2 at most, the brake takes effect tau = 0.9 s late, 5 m stay when all stand.
+/* Keeping a gap: from the safe distance to the car ahead to an acceleration, half by an optimal
+ * (LQ) law and half by the fuzzy table of tables/gap.fis. After Bi and Li. Both cars brake with at
+ * most A = 6 m/s2, the brake acts tau = 0.9 s late, and 5 m remain when both stand.
  *
  *     lead                 safe distance D                                h = dD/dv
  *     stands (<= 5 cm/s)   v tau + v^2/(2A) + 5 m                         tau + v/A
@@ -11,8 +11,8 @@
  *     u_fuzzy = table(0.2 (gap - D), 0.04 (lead - v))
  *     u       = (u_LQ + u_fuzzy) / 2
  *
- * Lengths are in cm, speeds in cm/s, accelerations in cm/s2, positive to go faster. Roundings are
- * part of the specification and all in the same direction, to brake up to 0.17 m/s2 harder. */
+ * Lengths are in cm, speeds in cm/s, accelerations in cm/s2; positive means faster. Roundings
+ * belong to the specification: all of them make the car brake harder, by up to 0.17 m/s2. */
 #ifndef FUZZY51_GAP_H
 #define FUZZY51_GAP_H
 
@@ -22,17 +22,19 @@
 /* Payload of FRAME_GAP: gap (u16, cm), own speed (u16, cm/s), lead's speed (u16, cm/s), lead's
  * acceleration (i16, cm/s2). */
 #define GAP_PAYLOAD_BYTES  8
-#define GAP_MAX_CM         25000U /* and more, or no car ahead: neither brake nor throttle */
+#define GAP_MAX_CM         25000U /* this and more, or no car ahead: neither brake nor throttle */
 #define GAP_SPEED_MAX_CMPS 5000U
-#define GAP_LEAD_MAX_CMPS2 1500 /* to both sides */
+#define GAP_LEAD_MAX_CMPS2 1500 /* faster or slower */
 
 #define GAP_ACCEL_MAX_CMPS2 800
 
-/* Below this own speed a brake that is on holds at least so hard, to a standstill. */
+/* Below GAP_CREEP_CMPS a brake that is on brakes at least with GAP_HOLD_CMPS2, until the car
+ * stands. */
 #define GAP_CREEP_CMPS 30U
 #define GAP_HOLD_CMPS2 30
 
-/* The throttle is a servo pulse of so many us, from closed to 8 m/s2; the brake is 100 % at 8 m/s2.
+/* The throttle is a servo pulse: from closed to full, which is 8 m/s2. The brake is 100 % at 8
+ * m/s2.
  */
 #define GAP_THROTTLE_CLOSED_US 1000U
 #define GAP_THROTTLE_FULL_US   2000U
@@ -42,17 +44,16 @@ enum gap_lead { GAP_LEAD_STANDS, GAP_LEAD_DRIVES, GAP_LEAD_BRAKES };
 enum gap_state {
     GAP_WAITING, /* no three good frames yet: full brake, the car does not roll */
     GAP_CONTROL,
-    GAP_FAULT, /* the link is lost: throttle closed, brake as it was or more, until it is up again
-                */
+    GAP_FAULT, /* the link is lost: the throttle is closed, the brake never falls */
 };
 
 struct gap {
     uint16_t gap_cm, own_cmps, lead_cmps; /* as last read */
     int16_t lead_cmps2;
-    uint16_t safe_cm; /* D */
-    int16_t accel_cmps2;
+    uint16_t safe_cm;    /* D */
+    int16_t accel_cmps2; /* -800..800 */
     uint8_t brake_pct;
-    bool stop; /* the stop line: until the link is up for the first time */
+    bool stop; /* the STOP pin: on until the link is up for the first time */
     uint16_t throttle_us;
     uint8_t lead;  /* enum gap_lead */
     uint8_t state; /* enum gap_state */
@@ -61,25 +62,55 @@ struct gap {
 /* What the controller last read and decided. */
 extern struct gap gap;
 
-/* Full brake, throttle closed, waiting. */
+/*@ predicate gap_is_valid =
+        gap.gap_cm <= GAP_MAX_CM && gap.own_cmps <= GAP_SPEED_MAX_CMPS &&
+        gap.lead_cmps <= GAP_SPEED_MAX_CMPS &&
+        -GAP_LEAD_MAX_CMPS2 <= gap.lead_cmps2 <= GAP_LEAD_MAX_CMPS2 &&
+        gap.brake_pct <= 100 && gap.state <= GAP_FAULT && gap.lead <= GAP_LEAD_BRAKES &&
+        GAP_THROTTLE_CLOSED_US <= gap.throttle_us <= GAP_THROTTLE_FULL_US; */
+
+/* Sets the state at start: WAITING, full brake, throttle closed. */
+/*@ ensures gap.state == GAP_WAITING && gap.brake_pct == 100 && gap.stop;
+    ensures gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_init(void);
 
-/* Takes the payload of a good frame. Returns false, with everything as before, when a value is out
- * of range: gap > GAP_MAX_CM, a speed > GAP_SPEED_MAX_CMPS, the lead's acceleration beyond
- * GAP_LEAD_MAX_CMPS2. */
+/* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if a value
+ * is out of range: gap_cm > GAP_MAX_CM, a speed > GAP_SPEED_MAX_CMPS, or the lead's acceleration
+ * more than GAP_LEAD_MAX_CMPS2 in either direction. */
+/*@ requires gap_is_valid;
+    ensures gap_is_valid;
+    ensures !\result ==> gap == \old(gap); */
 bool gap_read(void);
 
-/* One control step on what was read, while the link is up; made for one in 50 ms. Under 2,800 mc
- * with gap_read. */
+/* Makes one control step with what was read. Call it only while the link is up, each 50 ms. Less
+ * than 2,800 mc together with gap_read. */
+/*@ requires gap_is_valid;
+    ensures gap_is_valid;
+    ensures gap.state == GAP_CONTROL && !gap.stop;
+    ensures gap.brake_pct == 0 || gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_decide(void);
 
-/* One control step while the link is lost: never less brake than before, `fault_pct` at least. */
+/* Makes one control step while the link is lost: FAULT, throttle closed. The brake takes the larger
+ * of its last percent and fault_pct (0..100). */
+/*@ requires gap_is_valid && fault_pct <= 100;
+    ensures gap_is_valid;
+    ensures gap.state == GAP_FAULT && gap.throttle_us == GAP_THROTTLE_CLOSED_US;
+    ensures gap.brake_pct == \max(\old(gap.brake_pct), fault_pct); */
 void gap_lose(uint8_t fault_pct);
 
-/* The parts of gap_decide, on what was read. D, 500..25833 cm; the LQ law with safe_cm set, and the
- * table with safe_cm set, both to +-800 cm/s2. */
+/* The parts of gap_decide; gap.lead must be set. gap_safe_cm returns D, 500..25833 cm. The other
+ * two need gap.safe_cm as well and return the LQ law and the table, each -800..800 cm/s2. */
+/*@ requires gap_is_valid;
+    assigns \nothing;
+    ensures 500 <= \result <= 25833; */
 uint16_t gap_safe_cm(void);
+/*@ requires gap_is_valid && 500 <= gap.safe_cm <= 25833;
+    assigns \nothing;
+    ensures -GAP_ACCEL_MAX_CMPS2 <= \result <= GAP_ACCEL_MAX_CMPS2; */
 int16_t gap_lq_cmps2(void);
+/*@ requires gap_is_valid && 500 <= gap.safe_cm <= 25833;
+    assigns \nothing;
+    ensures -GAP_ACCEL_MAX_CMPS2 <= \result <= GAP_ACCEL_MAX_CMPS2; */
 int16_t gap_fuzzy_cmps2(void);
 
 #endif

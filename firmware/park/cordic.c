@@ -23,7 +23,7 @@ void cordic_to_polar(int16_t across, int16_t along)
     uint8_t enlarged = 0;
     uint8_t step;
 
-    /* A near point is enlarged first: its steps would be lost below the last bit. */
+    /* Enlarge a near point first, or its steps would get lost below the last bit. */
     while (enlarged < ENLARGED_MAX && x < HALF_ALONG && y < HALF_ACROSS) { /* rounds: 4 */
         x = (uint16_t)(x << 1);
         y = (int16_t)(y << 1);

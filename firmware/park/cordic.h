@@ -1,13 +1,15 @@
-/* The polar form of a point, by CORDIC: turned onto the axis in 13 steps of shifts and sums. */
+/* The polar form of a point, by CORDIC: 13 steps of shifts and sums turn the point onto the axis.
+ */
 #ifndef FUZZY51_CORDIC_H
 #define FUZZY51_CORDIC_H
 
 #include <stdint.h>
 
+/* Coordinates are in any unit; the length has the same. */
 #define CORDIC_ACROSS_MAX 20480
 #define CORDIC_ALONG_MAX  20480
 
-/* The length comes out longer by the product of sqrt(1 + 4^-i), i = 0..12. */
+/* The steps make the length longer by this factor, the product of sqrt(1 + 4^-i) for i = 0..12. */
 #define CORDIC_GAIN 1.646760
 
 struct cordic_polar {
@@ -18,11 +20,14 @@ struct cordic_polar {
 /* The result of the last cordic_to_polar(). */
 extern struct cordic_polar cordic_polar;
 
-/* The polar form of the point `along` the axis (0..CORDIC_ALONG_MAX) and `across` it
- * (-CORDIC_ACROSS_MAX..CORDIC_ACROSS_MAX). The angle is 0 along the axis, positive towards positive
- * `across`, the mirror image's is exactly the opposite, and the origin's is any. The length is
- * right to 9; the angle to 9 (0.05 degrees) from 300 units off the origin on.
- * About 2,600 mc. */
+/* Sets cordic_polar for the point `along` the axis (0..CORDIC_ALONG_MAX) and `across` it
+ * (-CORDIC_ACROSS_MAX..CORDIC_ACROSS_MAX). The angle is 0 along the axis and positive towards
+ * positive `across`. The mirror image of a point has exactly the opposite angle. The angle of the
+ * origin has no meaning. The length is right to 9 units; the angle to 9 (0.05 degrees) if the point
+ * is at least 300 units from the origin. About 2,600 mc. */
+/*@ requires -CORDIC_ACROSS_MAX <= across <= CORDIC_ACROSS_MAX;
+    requires 0 <= along <= CORDIC_ALONG_MAX;
+    assigns cordic_polar; */
 void cordic_to_polar(int16_t across, int16_t along);
 
 #endif

@@ -1,4 +1,4 @@
-/* The two steering laws, their blend, and when to stand. */
+/* The parking decision: two steering laws, their blend, and when to stand. */
 #include "park.h"
 #include "cordic.h"
 #include "fixed.h"
@@ -11,10 +11,11 @@
 
 #define QUARTER_TURN 16384U
 
-/* 1/512 m * CORDIC_GAIN to mm: 1000 / 512 / 1.646760 = 1 + 12192 / 65536. */
+/* From 1/512 m * CORDIC_GAIN to mm: 1000 / 512 / 1.646760 = 1 + 12192 / 65536. */
 #define MM_OVER_1_Q16 12192U
 
-/* X / 8 rad in 65,536ths of a turn for each 1/512 m: 65536 / (2 pi) / 4096 = 2 + 35796 / 65536. */
+/* From X in 1/512 m to X / 8 rad (X in m) in 65,536ths of a turn:
+ * 65536 / (2 pi) / 4096 = 2 + 35796 / 65536. */
 #define NEAR_OVER_2_Q16 35796U
 
 __idata struct park park;
@@ -59,13 +60,13 @@ static uint8_t weight_at(uint16_t dist_mm)
 
 static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
 {
-    int16_t more = far_law - near_law; /* 16384 at most */
+    int16_t more = far_law - near_law; /* -16384..16384 */
     int16_t part;
 
     if (weight == 255) {
         return far_law;
     }
-    /* 255 means all of it: what counts is weight + weight / 128, in 256ths. */
+    /* 255 means 1. The weight in 256ths is weight + weight / 128. */
     part =
         (int16_t)mul_hi_u16(magnitude(more), (uint16_t)((uint16_t)(weight + (weight >> 7)) << 8));
     return more < 0 ? near_law - part : near_law + part;
@@ -83,7 +84,7 @@ void park_steer(void)
     park.dist_mm = cordic_polar.length + mul_hi_u16(cordic_polar.length, MM_OVER_1_Q16);
     park.weight = weight_at(park.dist_mm);
 
-    /* delta + line wraps as an angle does; the sums around it must not. */
+    /* delta + line is an angle and wraps in 16 bits; the other sums must not wrap. */
     park.theta_far = limited((int32_t)line * 3 + (int32_t)(int16_t)(delta + line) * 2);
     park.theta_near = limited((park.x < 0 ? -across : across) + delta);
     park.theta = blended(park.theta_far, park.theta_near, park.weight);

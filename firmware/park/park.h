@@ -1,11 +1,13 @@
-/* Parking backwards: two steering laws, blended by the distance from the place (tables/park.fis).
+/* Parking backwards: two steering laws, blended by the distance D to the parking place
+ * (tables/park.fis).
  *
- * The place is the origin, the car shall stand in it along +y, and drives only backwards. With phi
- * the angle of the line from the place to the rear axle against +y, and delta that of the car's
- * axis: FAR    -3 phi + 2 (delta - phi)      turn onto the line, and the line towards the y axis
- *     NEAR   X / 8 rad + delta             take the rest out of X
+ * The place is the origin. There the car shall stand along +y; it only drives backwards. phi is the
+ * angle from +y to the line from the place to the rear axle, delta the angle from +y to the car's
+ * axis:
+ *     FAR    -3 phi + 2 (delta - phi)      turns onto the line, and the line towards the y axis
+ *     NEAR   X / 8 rad + delta             makes X small
  *     theta = w FAR + (1 - w) NEAR         w(D) from the table; each law limited to +-45 degrees
- * Angles are in 65,536ths of a turn and wrap by themselves, lengths in 1/512 m. */
+ * Angles (turn16) are in 65,536ths of a turn and wrap in 16 bits; places (512) are in 1/512 m. */
 #ifndef FUZZY51_PARK_H
 #define FUZZY51_PARK_H
 
@@ -23,46 +25,67 @@
 #define PARK_PAYLOAD_BYTES 6
 
 #define PARK_SERVO_MID_US  1500U
-#define PARK_SERVO_SPAN_US 500U /* for PARK_THETA_MAX_TURN16 */
+#define PARK_SERVO_SPAN_US 500U /* added at PARK_THETA_MAX_TURN16 */
 
 enum park_state {
-    PARK_WAITING, /* for the first three good frames: the car stands */
+    PARK_WAITING, /* the link was never up: the car stands */
     PARK_DRIVING,
-    PARK_ARRIVED, /* Y <= 0: the car stands, for good */
-    PARK_FAULT,   /* the link is lost: the car stands until it is up again */
+    PARK_ARRIVED, /* Y <= 0: the car stands until the next start */
+    PARK_FAULT,   /* the link is lost: the car stands until the link is up again */
 };
 
 struct park {
-    int16_t x, y;     /* 1/512 m */
-    uint16_t heading; /* 65,536ths of a turn */
-    uint16_t dist_mm; /* to 10 mm */
-    uint8_t weight;   /* w(D), 0..255 */
-    int16_t theta_far, theta_near, theta;
-    uint16_t servo_us;
-    uint8_t state;
+    int16_t x, y;                         /* 1/512 m */
+    uint16_t heading;                     /* 65,536ths of a turn */
+    uint16_t dist_mm;                     /* right to 10 mm */
+    uint8_t weight;                       /* w(D), 0..255 means 0..1 */
+    int16_t theta_far, theta_near, theta; /* 65,536ths of a turn */
+    uint16_t servo_us;                    /* 1000..2000 */
+    uint8_t state;                        /* enum park_state */
 };
 
 /* What the controller last read and decided. */
 extern __idata struct park park;
 
-/* The car stands, the wheel is straight. */
+/*@ predicate park_is_valid =
+        -PARK_X_MAX_512 <= park.x <= PARK_X_MAX_512 && PARK_Y_MIN_512 <= park.y <= PARK_Y_MAX_512 &&
+        -PARK_THETA_MAX_TURN16 <= park.theta <= PARK_THETA_MAX_TURN16 &&
+        1000 <= park.servo_us <= 2000 && park.state <= PARK_FAULT; */
+
+/* Sets the state at start: the car stands, the wheels are straight. */
+/*@ ensures park.state == PARK_WAITING && park.servo_us == PARK_SERVO_MID_US; */
 void park_init(void);
 
-/* Steers from where park.x, park.y, park.heading say: sets dist_mm, weight and the three thetas.
- * Domain: |x| <= PARK_X_MAX_512, 0 <= y <= PARK_Y_MAX_512. About 3,500 mc. */
+/* Steers: sets dist_mm, weight and the three thetas from x, y and heading. y must be 0 or positive.
+ * About 3,500 mc. */
+/*@ requires park_is_valid && park.y >= 0;
+    ensures park_is_valid; */
 void park_steer(void);
 
-/* Takes the payload of a good frame. Returns false, with everything as before, when a value is out
- * of range: |X| > PARK_X_MAX_512, Y < PARK_Y_MIN_512 or > PARK_Y_MAX_512. */
+/* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if a value
+ * is out of range: X not in -PARK_X_MAX_512..PARK_X_MAX_512, or Y not in
+ * PARK_Y_MIN_512..PARK_Y_MAX_512. */
+/*@ requires park_is_valid;
+    ensures park_is_valid;
+    ensures !\result ==> park == \old(park); */
 bool park_read(void);
 
-/* One control step on what was read, while the link is up. */
+/* Makes one control step with what was read. Call it only while the link is up. */
+/*@ requires park_is_valid;
+    ensures park_is_valid;
+    ensures park.state == PARK_DRIVING || park.state == PARK_ARRIVED;
+    ensures \old(park.state) == PARK_ARRIVED ==> park.state == PARK_ARRIVED;
+    ensures \old(park.y) <= 0 ==> park.state == PARK_ARRIVED; */
 void park_decide(void);
 
-/* One control step while the link is lost. */
+/* Makes one control step while the link is lost: DRIVING becomes FAULT. */
+/*@ assigns park.state;
+    ensures park.state != PARK_DRIVING; */
 void park_lose(void);
 
-/* Whether the car must stand: everywhere but in PARK_DRIVING. */
+/* Returns whether the car must stand: in every state but DRIVING. */
+/*@ assigns \nothing;
+    ensures \result <==> park.state != PARK_DRIVING; */
 bool park_must_stand(void);
 
 #endif
