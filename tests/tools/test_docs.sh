@@ -166,7 +166,7 @@ wrong_figures() {
     while IFS=$'\t' read -r place text; do
         name=${text%% = *}
         value=${text##* = }
-        grep -qE "^#define +$name +$value(U|UL|L)?( |\$)" -r firmware --include='*.h' || echo "$place: not '$text'"
+        grep -qE "^#define +$name +$value(U|UL|L)?( |\$)" -r firmware build/*/brake/lut_table.h --include='*.h' || echo "$place: not '$text'"
     done < <(items holds)
 }
 faultless "the constants" "$(wrong_figures)"
@@ -204,4 +204,34 @@ for pair in "docs/brake.md firmware/brake/brake.h brake_fault" "docs/controllers
     [ "$(fault_rows "$page" | xargs)" = "$(seq "$(($(faults_in "$header" "$enum") - 1))" | xargs)" ]
     say "the faults in $page" $? "listed: $(fault_rows "$page" | xargs); in $header: $(faults_in "$header" "$enum") with none"
 done
+
+# --- names ---------------------------------------------------------------------------------------------
+unnamed() { # PAGES NAME...: the names that no page has between backticks
+    local pages=$1 page name
+    shift
+    for page in $pages; do items code "$page"; done | cut -f2 | tr -s ' ' '\n' >"$out/words"
+    for name; do grep -qxF -- "$name" "$out/words" || echo "$pages: no '$name'"; done
+}
+read -ra images < <(sed -n 's/^IMAGES_OF_[a-z]* *:= *//p' firmware/*/*.mk | xargs)
+read -ra kinds < <(grep -oE '\{"[a-z0-9]+"' tools/fistab/mf.c | tr -d '{"' | xargs)
+read -ra faults < <(grep -ohE '"[a-z ]*(garbage|corrupt)[a-z ]*"' tools/drive/scenario/*.c | tr -d '"' | xargs)
+[ ${#images[@]} -ge 5 ] && [ ${#kinds[@]} -ge 15 ] && [ ${#faults[@]} -ge 17 ]
+say "the names to look for" $? "${images[*]}, ${kinds[*]}, ${faults[*]}"
+faultless "every image is described" "$(unnamed "docs/brake.md docs/controllers.md" "${images[@]}")"
+faultless "every membership function is named" "$(unnamed docs/fistab.md "${kinds[@]}")"
+faultless "every fault of a scenario is named" "$(unnamed docs/drive.md "${faults[@]}")"
+
+# Of each frame-fed controller: the rows of its payload follow each other and fill it; its period.
+wrong_payloads() {
+    local name
+    for name in $(sed -n 's/^FRAME_\([A-Z]*\) = .*/\1/p; s/^ *FRAME_\([A-Z]*\) = .*/\1/p' firmware/frames/frame.h | tr '[:upper:]' '[:lower:]' | sort -u); do
+        awk -v name="$name" -v wanted="$(sed -nE 's/^#define [A-Z]+_PAYLOAD_BYTES +([0-9]+).*/\1/p' "firmware/$name/$name.h")" '
+            /^## / { is_on = $2 == name }
+            is_on && /^\| [0-9]+ \| [iu][0-9]+ / { if ($2 != bytes) print name ": byte " $2 " follows " bytes; bytes += substr($4, 2) / 8 }
+            END { if (bytes != wanted) print name ": " bytes " bytes, not " wanted }' docs/controllers.md
+        ticks=$(tr '\n' ' ' <"firmware/$name/main.c" | sed -nE 's/.*_PAYLOAD_BYTES, *([0-9]+), *NAME.*/\1/p')
+        items row docs/controllers.md | cut -f2 | grep -q "^| \`$name\` |.*| $((ticks * 10)) ms |" || echo "$name: asks every $((ticks * 10)) ms"
+    done
+}
+faultless "payloads and periods" "$(wrong_payloads)"
 finish
