@@ -22,7 +22,7 @@ answers() { # IMAGE STEPS: so many instructions are enough for an answer
             print "dump sfr 0xa0 0xa0"
         } END { print "quit" }'
     } >"$out/console"
-    timeout $((cpu_seconds * 20)) prlimit --cpu=$cpu_seconds s51 -t C52 -q -b "$1" <"$out/console" 2>&1 |
+    timeout $((cpu_seconds * 20)) prlimit --cpu=$cpu_seconds tools/s51 -t C52 -q -b "$1" <"$out/console" 2>&1 |
         LC_ALL=C sed -nE 's/.*P2: +0b[01]{8} 0x([0-9a-f]{2}) .*/\1/p' | while read -r hex; do echo $((16#$hex)); done
 }
 
