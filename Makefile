@@ -2,7 +2,9 @@
 
 # --- knobs: `make NAME=value ...`; help prints these lines ------------------------------------
 BOARD        ?=#                  one board of firmware/boards; empty: all of them
-APP          ?= brake#            the image that `flash` writes
+APP          ?= brake#            the image that `flash` writes and `sim` runs
+SCENARIO     ?=#                  what `sim` drives, a file of tests/loop; empty: the simulator's console
+TEST         ?=#                  the test that `unit` runs, such as brake; empty: all of them
 PORT         ?=#                  where the flasher finds the chip, such as /dev/ttyUSB0
 PROGRAMMER   ?= avrisp#           the programmer that avrdude uses
 FLASH        ?=#                  a command that writes $(HEX), instead of the board's own
@@ -11,6 +13,7 @@ GRID         ?=#                  cells of the brake's table, such as 50x50; emp
 REPAIR       ?=#                  makes the brake's table monotone: -1,+2
 ESTIMATOR    ?= difference#       how the brake gets its closing speed: difference or smooth
 FAULT_PCT    ?=#                  brake force in FAULT; empty: the board's
+NO_INSTALL   ?=#                  NO_INSTALL=1: install nothing, name what is missing
 UNITY_DIR    ?=#                  a checkout of Unity, instead of Debian's copy
 FUZZ_SECONDS ?= 600#              how long `fuzz` runs
 CFLAGS       ?= -O2 -g#           of the host's programs
@@ -31,7 +34,7 @@ SHELL     := /bin/bash
 .DEFAULT_GOAL := all
 Q := $(if $(V),,@)
 VERSION := $(shell sed -n 's/^\#\# \([0-9][0-9.]*\).*/\1/p;T;q' CHANGELOG.md)
-export UNITY_DIR MAP ONLY JOBS SSHLOGIN
+export NO_INSTALL UNITY_DIR MAP ONLY JOBS SSHLOGIN
 
 DEFAULT_BOARD := stc89c516rd
 BOARDS := $(basename $(notdir $(wildcard firmware/boards/*.mk)))
@@ -52,9 +55,12 @@ all: tools firmware   ## tools, and the firmware of all boards with the memory t
 include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
 
 # These install what they need first.
-TARGETS := demo report bench test test-long fuzz pictures
+TARGETS := demo sim unit unit-chip report bench test test-long fuzz pictures
 .PHONY: $(TARGETS)
 demo:      ## a car stops behind another one: the real firmware in the simulator
+sim:       ## one drive: make sim APP=park SCENARIO=tests/loop/park/t1_demo.scn
+unit:      ## the unit tests alone, on this machine; one of them: make unit TEST=brake
+unit-chip: ## the same on the simulated chip
 report:    ## every controller on every scenario, as build/report/index.html
 bench:     ## cycles, bytes and stack of each image; speed of fistab and drive
 test:      ## the tests; ends with 'N passed, N failed'
@@ -62,7 +68,7 @@ test-long: ## drives that take longer: other controllers, ten minutes, the other
 fuzz:      ## odd input for fistab, for FUZZ_SECONDS
 pictures:  ## the pictures in docs/pictures
 $(TARGETS):
-	@tools/deps.sh $(@:-long=)
+	@tools/deps.sh $(firstword $(subst -, ,$@))
 	@$(MAKE) run-$@
 
 flash:     ## writes build/BOARD/APP.hex to a chip: make flash BOARD=NAME PORT=DEVICE

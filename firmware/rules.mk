@@ -7,6 +7,12 @@ CONTROLLERS := $(patsubst firmware/%/main.c,%,$(wildcard firmware/*/main.c))
 include firmware/pins.mk firmware/frames/frames.mk $(foreach name,$(CONTROLLERS),firmware/$(name)/$(name).mk)
 ALL_IMAGES  := $(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name)))
 
+ifneq ($(filter flash sim,$(MAKECMDGOALS)),)
+ifeq ($(filter $(APP),$(ALL_IMAGES)),)
+$(error no app '$(APP)'; the apps are: $(ALL_IMAGES))
+endif
+endif
+
 # The controller that an image belongs to, and the folders where its files find their headers.
 controller_of = $(patsubst %/main,%,$(filter %/main,$($(1)_MODULES)))
 includes_of   = $(patsubst %,-Ifirmware/%,$(sort lib mcu $(dir $($(1)_MODULES:%=%))))
@@ -62,11 +68,6 @@ $(OUT)/board.stamp: FORCE
 # The flasher that suits the chip, its wiring and, when it is missing, where to get it.
 HEX = $(OUT)/$(APP).hex
 FLASH_COMMAND = $(or $(FLASH),$(BOARD_FLASH))
-ifneq ($(filter flash,$(MAKECMDGOALS)),)
-ifeq ($(filter $(APP),$(ALL_IMAGES)),)
-$(error no app '$(APP)'; the apps are: $(ALL_IMAGES))
-endif
-endif
 .PHONY: flash
 flash: $(OUT)/$(APP).hex
 	@[ -n "$(FLASH_COMMAND)" ] || { echo "make flash: error: $(BOARD) has no flasher of its own; write $(HEX) with your chip's tool" >&2; exit 1; }

@@ -22,6 +22,22 @@ LONG_SUITES := $(LONG_TESTS) \
     $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) \
     'IMAGE=build/smooth/brake.ihx tests/run_loop.sh $(DEFAULT_BOARD)'
 
+# `make unit TEST=NAME` runs one file, tests/unit/test_NAME.c or tests/tools/test_NAME.c; without TEST
+# those of tests/unit.
+ifneq ($(and $(TEST),$(filter %unit %unit-chip,$(MAKECMDGOALS))),)
+ifeq ($(filter %/test_$(TEST),$(UNIT_TESTS) $(TOOL_TESTS)),)
+$(error no test '$(TEST)'; the tests are: $(patsubst test_%,%,$(notdir $(UNIT_TESTS) $(TOOL_TESTS))))
+endif
+endif
+WANTED_UNITS := $(if $(TEST),$(filter %/test_$(TEST),$(UNIT_TESTS) $(TOOL_TESTS)),$(UNIT_TESTS))
+WANTED_CHIPS := $(filter %/test_$(or $(TEST),%).ihx,$(CHIP_TESTS))
+.PHONY: run-unit run-unit-chip
+run-unit: $(WANTED_UNITS)
+	@tests/run.sh $^
+run-unit-chip: $(WANTED_CHIPS)
+	$(if $^,,$(error test '$(TEST)' is not one of the chip's; these are: $(patsubst test_%.ihx,%,$(notdir $(CHIP_TESTS)))))
+	@tests/run.sh $(^:%='tests/run_chip.sh %')
+
 .PHONY: run-test run-test-long
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(TEST_SUITES)

@@ -1,7 +1,9 @@
 #!/bin/sh
 # Installs what a make target needs and the machine lacks; says what it does; does nothing when all
 # is there. Packages come from the machine's own Debian sources by name. `make` calls it; by hand:
-#     tools/deps.sh [build|demo|test|bench|fuzz|report|golden|pictures|format|lint|flash]...
+#     tools/deps.sh [TARGET]...        the targets stand in packages_for below; build is the default
+# Without apt-get, or with NO_INSTALL=1, it installs nothing: it looks for the programs and headers
+# themselves, and names all that are missing in one message.
 set -eu
 cd "$(dirname "$0")/.."
 unity=build/deps/unity
@@ -9,26 +11,71 @@ unity=build/deps/unity
 packages_for() {
     build="gcc make libc6-dev sdcc sdcc-libraries sdcc-ucsim libinih-dev libcjson-dev"
     case $1 in
-    build) echo "$build" ;;
+    build | sim) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
+    unit) echo "$build parallel" ;;
     test) echo "$build gnuplot-nox parallel rsync chromium avrdude clang-format-19" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
-    fuzz) echo "$build clang libclang-rt-14-dev" ;;
+    fuzz) echo "$build clang libclang-rt-dev" ;;
     report) echo "$build gnuplot-nox parallel rsync" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
     pictures) echo "$build gnuplot-nox pngquant" ;;
     format) echo "clang-format-19" ;;
     lint) echo "$build shellcheck cppcheck" ;;
     flash) echo "avrdude pipx" ;;
+    debian) echo "mmdebstrap git" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, test, bench, fuzz, report, golden, pictures, format, lint or flash" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
         exit 2
         ;;
     esac
 }
 
+# What shows that a package's content is there, wherever it came from: programs, of which one is enough, or
+# a header, or nothing to look for, because another package of the list needs it.
+proof_of() {
+    case $1 in
+    libc6-dev) echo "<stdio.h>" ;;
+    libinih-dev) echo "<ini.h>" ;;
+    libcjson-dev) echo "<cjson/cJSON.h>" ;;
+    sdcc-libraries | libclang-rt-* | octave-fuzzy-logic-toolkit) ;;
+    sdcc-ucsim) echo "s51 ucsim_51" ;;
+    gnuplot-nox) echo "gnuplot" ;;
+    octave) echo "octave octave-cli" ;;
+    *) echo "$1" ;;
+    esac
+}
+
+is_there() {
+    proof=$(proof_of "$1")
+    case $proof in
+    '') ;;
+    '<'*) echo "#include $proof" | ${CC:-cc} -E - >/dev/null 2>&1 ;;
+    *)
+        for program in $proof; do
+            command -v "$program" >/dev/null && return 0
+        done
+        return 1
+        ;;
+    esac
+}
+
+may_install() {
+    [ "${NO_INSTALL:-0}" != 1 ] && command -v apt-get >/dev/null
+}
+
 is_installed() {
     [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# One line a missing thing.
+missing_things() {
+    for package in "$@"; do
+        is_there "$package" || echo "    $(proof_of "$package" | sed 's/ / or /g')    (Debian package $package)"
+    done
+    if [ "$needs_unity" = 1 ] && [ ! -f "$unity/src/unity.c" ]; then
+        echo "    Unity    (give a checkout of it: UNITY_DIR=...)"
+    fi
 }
 
 as_root() {
@@ -54,19 +101,21 @@ install_missing() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >/dev/null
 }
 
+# Takes Unity from the checkout that UNITY_DIR names.
+take_unity() {
+    [ -f "$unity/src/unity.c" ] && return 0
+    [ -f "$UNITY_DIR/src/unity.c" ] || {
+        echo "deps.sh: error: UNITY_DIR=$UNITY_DIR has no src/unity.c; name a checkout of Unity" >&2
+        exit 1
+    }
+    mkdir -p "$unity"
+    cp -R "$UNITY_DIR/src" "$unity/"
+}
+
 # Unity is in no package of its own, but whole inside the source package of cJSON. apt fetches and
 # checks it, with a source list of our own made from the machine's, so that its set-up stays as it is.
 fetch_unity() {
     [ -f "$unity/src/unity.c" ] && return 0
-    if [ -n "${UNITY_DIR:-}" ]; then
-        [ -f "$UNITY_DIR/src/unity.c" ] || {
-            echo "deps.sh: error: UNITY_DIR=$UNITY_DIR has no src/unity.c; name a checkout of Unity" >&2
-            exit 1
-        }
-        mkdir -p "$unity"
-        cp -R "$UNITY_DIR/src" "$unity/"
-        return 0
-    fi
     echo "deps.sh: fetching Unity (Debian source package cjson)"
     work=$PWD/build/deps/apt
     rm -rf "$work"
@@ -100,7 +149,19 @@ fetch_unity() {
 
 for target in "${@:-build}"; do
     packages=$(packages_for "$target")
+    needs_unity=0
+    case $target in unit | test) needs_unity=1 ;; esac
+    if [ $needs_unity = 1 ] && [ -n "${UNITY_DIR:-}" ]; then take_unity; fi
     # shellcheck disable=SC2086  # a list of words
-    install_missing $packages
-    if [ "$target" = test ]; then fetch_unity; fi
+    if may_install; then
+        install_missing $packages
+        if [ $needs_unity = 1 ]; then fetch_unity; fi
+    else
+        missing=$(missing_things $packages)
+        [ -z "$missing" ] || {
+            echo "deps.sh: error: these are missing; install them and call make again:" >&2
+            echo "$missing" >&2
+            exit 1
+        }
+    fi
 done

@@ -32,4 +32,10 @@ run-demo: tools
 	@$(MAKE) BOARD=$(or $(BOARD),$(DEFAULT_BOARD)) firmware
 	@tools/demo.sh $(or $(BOARD),$(DEFAULT_BOARD))
 
+SIM_BOARD := $(or $(BOARD),$(DEFAULT_BOARD))
+.PHONY: run-sim
+run-sim: tools
+	@$(MAKE) BOARD=$(SIM_BOARD) build/$(SIM_BOARD)/$(APP).hex
+	@tools/sim.sh $(SIM_BOARD) $(APP) $(SCENARIO)
+
 -include $(wildcard build/host/tools/*/*.d build/host/tools/*/*/*.d)
