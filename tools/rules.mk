@@ -1,6 +1,6 @@
 # Host tools: each folder of tools/ with a main.c becomes build/NAME. A folder's own rules.mk says
 # what else is to be linked.
-HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror -MMD \
+HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror -MMD -MP \
     -Itools/common -Ibuild -DFUZZY51_VERSION='"$(VERSION)"'
 SANITIZE   := -fsanitize=address,undefined -fno-sanitize-recover=all
 

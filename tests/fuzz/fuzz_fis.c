@@ -48,7 +48,7 @@ static void evaluate(const struct fis *fis, const struct infer_options *options)
         engine_eval(engine, x, y);
         for (size_t o = 0; o < fis->outputs; o++) {
             demand(isfinite(y[o]), "an output is not finite");
-            demand(fis->type == FIS_SUGENO ||
+            demand(fis->output[o].type == FIS_SUGENO ||
                        (y[o] >= fis->output[o].min && y[o] <= fis->output[o].max),
                    "an output is outside its range");
         }
@@ -185,10 +185,10 @@ static void write_system(struct choices *c, FILE *out)
     unsigned rules = choose(c, 6);
 
     fprintf(out, "[System]\nType='%s'\n", fis_type_words[is_sugeno ? FIS_SUGENO : FIS_MAMDANI]);
-    fprintf(out, "AndMethod='%s'\nOrMethod='%s'\n", fis_and_words[1 + choose(c, 2)],
-            fis_or_words[1 + choose(c, 2)]);
-    fprintf(out, "ImpMethod='%s'\nAggMethod='%s'\n", fis_imp_words[1 + choose(c, 2)],
-            fis_agg_words[1 + choose(c, 3)]);
+    fprintf(out, "AndMethod='%s'\nOrMethod='%s'\n", tnorm_name[1 + choose(c, 7)].fis,
+            snorm_name[1 + (choose(c, 8) + 2) % 9].fis);
+    fprintf(out, "ImpMethod='%s'\nAggMethod='%s'\n", tnorm_name[1 + choose(c, 7)].fis,
+            snorm_name[1 + choose(c, 9)].fis);
     fprintf(out, "DefuzzMethod='%s'\n",
             fis_defuzz_words[is_sugeno ? DEFUZZ_WTAVER + choose(c, 2) : 1 + choose(c, 5)]);
     write_variable(c, out, "Input1", false);

@@ -376,9 +376,11 @@ static void test_that_exact_is_the_limit_of_samples(void)
 
     TEST_ASSERT_EQUAL(EXIT_FINE, fis_read("tests/golden/asym.fis", &fis));
     for (int method = 0; method < 5 * 2 * 2; method++) {
-        fis.defuzz_method = (enum fis_defuzz)(DEFUZZ_CENTROID + method % 5);
-        fis.imp_method = method / 5 % 2 == 0 ? IMP_MIN : IMP_PROD;
-        fis.agg_method = method / 10 == 0 ? AGG_MAX : AGG_SUM;
+        fis.block[0].imp_method = method / 5 % 2 == 0 ? TNORM_MIN : TNORM_PROD;
+        for (int o = 0; o < 2; o++) {
+            fis.output[o].defuzz_method = (enum fis_defuzz)(DEFUZZ_CENTROID + method % 5);
+            fis.output[o].agg_method = method / 10 == 0 ? SNORM_MAX : SNORM_SUM;
+        }
         for (int point = 0; point < 25; point++) {
             double x[2] = {-1.9 + 1.4 * (point % 5), 13 + 17 * (double)(point / 5)};
             double sampled[2], exact[2];

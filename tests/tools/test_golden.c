@@ -83,6 +83,16 @@ static void eval(const double *x, double *y, bool exact)
     engine_free(engine);
 }
 
+static int norm(const struct norm_name *names, const char *text)
+{
+    int i = 1;
+    while (names[i].fis != NULL && strcmp(names[i].fis, text) != 0) {
+        i++;
+    }
+    TEST_ASSERT_NOT_NULL_MESSAGE(names[i].fis, text);
+    return i;
+}
+
 static int word(const char *const *words, const char *text)
 {
     int i = 1;
@@ -155,15 +165,15 @@ static void mamdani(const struct row *row)
     static const enum fis_defuzz method[] = {DEFUZZ_CENTROID, DEFUZZ_BISECTOR, DEFUZZ_MOM,
                                              DEFUZZ_SOM, DEFUZZ_LOM};
     int output = atoi(row->field[4]) - 1;
-    const struct variable *variable = &fis.output[output];
+    struct variable *variable = &fis.output[output];
 
-    fis.and_method = (enum fis_and)word(fis_and_words, row->field[0]);
-    fis.or_method = (enum fis_or)word(fis_or_words, row->field[1]);
-    fis.imp_method = (enum fis_imp)word(fis_imp_words, row->field[2]);
-    fis.agg_method = (enum fis_agg)word(fis_agg_words, row->field[3]);
+    fis.block[0].and_method = (enum tnorm)norm(tnorm_name, row->field[0]);
+    fis.block[0].or_method = (enum snorm)norm(snorm_name, row->field[1]);
+    fis.block[0].imp_method = (enum tnorm)norm(tnorm_name, row->field[2]);
+    variable->agg_method = (enum snorm)norm(snorm_name, row->field[3]);
     for (int i = 0; i < 5; i++) {
         double y[FIS_VARIABLES_MAX];
-        fis.defuzz_method = method[i];
+        variable->defuzz_method = method[i];
         eval(&row->number[5], y, false);
         close_to(row->number[7 + i], y[output], 1e-9 * (variable->max - variable->min), row);
     }
@@ -191,9 +201,11 @@ static void sugeno(const struct row *row, double tolerance)
 {
     double y[FIS_VARIABLES_MAX];
 
-    fis.and_method = (enum fis_and)word(fis_and_words, row->field[0]);
-    fis.or_method = (enum fis_or)word(fis_or_words, row->field[1]);
-    fis.defuzz_method = (enum fis_defuzz)word(fis_defuzz_words, row->field[2]);
+    fis.block[0].and_method = (enum tnorm)norm(tnorm_name, row->field[0]);
+    fis.block[0].or_method = (enum snorm)norm(snorm_name, row->field[1]);
+    for (size_t o = 0; o < fis.outputs; o++) {
+        fis.output[o].defuzz_method = (enum fis_defuzz)word(fis_defuzz_words, row->field[2]);
+    }
     eval(&row->number[3], y, false);
     close_to(row->number[5], y[0], tolerance, row);
     close_to(row->number[6], y[1], tolerance, row);

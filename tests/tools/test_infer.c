@@ -146,11 +146,11 @@ static void test_the_example_of_matlabs_documentation(void)
             mu[k] = fmax(mu[k], height[i] * mf_degree(MF_TRAPMF, trapezoid[i], 4, x[k]));
         }
     }
-    TEST_ASSERT_TRUE(defuzz(DEFUZZ_MOM, x, mu, N, &y));
+    TEST_ASSERT_TRUE(defuzz(&(struct variable){.defuzz_method = DEFUZZ_MOM}, x, mu, N, &y));
     NEAR(-5, y);
-    TEST_ASSERT_TRUE(defuzz(DEFUZZ_SOM, x, mu, N, &y));
+    TEST_ASSERT_TRUE(defuzz(&(struct variable){.defuzz_method = DEFUZZ_SOM}, x, mu, N, &y));
     NEAR(-2, y);
-    TEST_ASSERT_TRUE(defuzz(DEFUZZ_LOM, x, mu, N, &y));
+    TEST_ASSERT_TRUE(defuzz(&(struct variable){.defuzz_method = DEFUZZ_LOM}, x, mu, N, &y));
     NEAR(-8, y);
 }
 
@@ -160,11 +160,11 @@ static void test_of_two_alike_in_size_the_left_one_counts(void)
     static const double mu[] = {1, 0.5, 0, 0.5, 1};
     double y;
 
-    TEST_ASSERT_TRUE(defuzz(DEFUZZ_SOM, x, mu, 5, &y));
+    TEST_ASSERT_TRUE(defuzz(&(struct variable){.defuzz_method = DEFUZZ_SOM}, x, mu, 5, &y));
     NEAR(-2, y);
-    TEST_ASSERT_TRUE(defuzz(DEFUZZ_LOM, x, mu, 5, &y));
+    TEST_ASSERT_TRUE(defuzz(&(struct variable){.defuzz_method = DEFUZZ_LOM}, x, mu, 5, &y));
     NEAR(-2, y);
-    TEST_ASSERT_TRUE(defuzz(DEFUZZ_MOM, x, mu, 5, &y));
+    TEST_ASSERT_TRUE(defuzz(&(struct variable){.defuzz_method = DEFUZZ_MOM}, x, mu, 5, &y));
     NEAR(0, y);
 }
 
@@ -175,7 +175,7 @@ static void test_that_an_empty_set_has_no_centre(void)
     double y = 7;
 
     for (enum fis_defuzz method = DEFUZZ_CENTROID; method <= DEFUZZ_SOM; method++) {
-        TEST_ASSERT_FALSE(defuzz(method, x, mu, 2, &y));
+        TEST_ASSERT_FALSE(defuzz(&(struct variable){.defuzz_method = method}, x, mu, 2, &y));
     }
     NEAR(7, y);
 }

@@ -77,7 +77,7 @@ static bool set_is_there(const struct variable *variable, const struct set *set,
             if (at < variable->min || at > variable->max) {
                 continue;
             }
-            mu = mf_degree(set->kind, set->parameter, set->parameters, at);
+            mu = set_degree(set, at);
             if (negated ? mu < 1 : mu > 0) {
                 return true;
             }
@@ -239,11 +239,7 @@ static void check_rule_empty(struct checker *c)
 /* With one condition or none, and and or are the same but for "always" and "never". */
 static bool joins_with_or(const struct rule *rule)
 {
-    size_t conditions = 0;
-    for (size_t i = 0; i < rule->inputs; i++) {
-        conditions += rule->term[i] != 0;
-    }
-    return rule->is_or && conditions != 1;
+    return rule->is_or && rule_conditions(rule) != 1;
 }
 
 static int by_conditions(const void *a, const void *b)
@@ -254,6 +250,9 @@ static int by_conditions(const void *a, const void *b)
     for (size_t i = 0; i < x->inputs; i++) {
         if (x->term[i] != y->term[i]) {
             return x->term[i] < y->term[i] ? -1 : 1;
+        }
+        if (x->hedges[i] != y->hedges[i]) {
+            return x->hedges[i] < y->hedges[i] ? -1 : 1;
         }
     }
     if (joins_with_or(x) != joins_with_or(y)) {
@@ -279,7 +278,8 @@ static void compare_rules(struct checker *c, const struct rule *first, const str
         int before = first->term[c->fis->inputs + o];
         int now = second->term[c->fis->inputs + o];
 
-        same = same && before == now;
+        same = same && before == now &&
+               first->hedges[c->fis->inputs + o] == second->hedges[c->fis->inputs + o];
         if (before != 0 && now != 0 && before != now) {
             FOUND_ERROR(c, second->line,
                         "(rule_contradiction) same conditions as the rule of line %d, but another "

@@ -234,7 +234,7 @@ static char **guard_numbers(int *argc, char **argv)
 
 int cmd_eval(int argc, char **argv)
 {
-    struct arguments a = {.infer = {.samples = INFER_SAMPLES}};
+    struct arguments a = {0};
     char **guarded = guard_numbers(&argc, argv);
     struct fis fis;
     struct session session = {.fis = &fis};

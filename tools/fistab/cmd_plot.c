@@ -160,7 +160,7 @@ static int check_axes(const struct arguments *a, const struct fis *fis)
 
 int cmd_plot(int argc, char **argv)
 {
-    struct arguments a = {.plot = {.infer = {.samples = INFER_SAMPLES}, .axis = {0, 1}}};
+    struct arguments a = {.plot = {.axis = {0, 1}}};
     struct outfile out;
     struct fis fis;
     int status;

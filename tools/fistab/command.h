@@ -24,7 +24,7 @@ struct grid_options {
     struct table_options table;
     size_t inputs; /* how many numbers --grid has; 0: not given */
 };
-#define GRID_OPTIONS_DEFAULT {.table = {.infer = {.samples = INFER_SAMPLES}, .levels = 100}}
+#define GRID_OPTIONS_DEFAULT {.table = {.levels = 100}}
 extern const struct argp grid_argp;
 
 /* A whole number of MIN..MAX, or a usage message about OPTION and exit. */

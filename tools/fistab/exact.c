@@ -25,7 +25,7 @@ struct line {
 };
 
 struct work {
-    const struct fis *fis;
+    const struct variable *output;
     const struct exact_term *term;
     size_t terms;
     double min, max, middle;
@@ -44,25 +44,13 @@ struct work {
 
 static double term_set(const struct exact_term *term, double x)
 {
-    double mu = mf_degree(term->set->kind, term->set->parameter, term->set->parameters, x);
+    double mu = set_degree(term->set, x);
     return term->negated ? 1 - mu : mu;
 }
 
-static double implied(const struct fis *fis, const struct exact_term *term, double mu)
+static double implied(const struct exact_term *term, double mu)
 {
-    return fis->imp_method == IMP_PROD ? term->strength * mu : fmin(term->strength, mu);
-}
-
-static double joined(const struct fis *fis, double sum, double mu)
-{
-    switch (fis->agg_method) {
-    case AGG_SUM:
-        return sum + mu;
-    case AGG_PROBOR:
-        return sum + mu - sum * mu;
-    default:
-        return fmax(sum, mu);
-    }
+    return tnorm(term->imp_method, term->strength, mu);
 }
 
 static double aggregate_at(double x, const void *context)
@@ -71,7 +59,7 @@ static double aggregate_at(double x, const void *context)
     double sum = 0;
 
     for (size_t i = 0; i < w->terms; i++) {
-        sum = joined(w->fis, sum, implied(w->fis, &w->term[i], term_set(&w->term[i], x)));
+        sum = snorm(w->output->agg_method, sum, implied(&w->term[i], term_set(&w->term[i], x)));
     }
     return sum;
 }
@@ -103,13 +91,13 @@ static size_t tidy(double *x, size_t count, double min, double max)
     return kept;
 }
 
-/* Where the set of TERM, which rises or falls all the way from LEFT to RIGHT, is equal to its
- * strength. */
-static double crossing(const struct exact_term *term, double left, double right, double at_left)
+/* Where the set of TERM, which rises or falls all the way from LEFT to RIGHT, is equal to LEVEL. */
+static double crossing(const struct exact_term *term, double level, double left, double right,
+                       double at_left)
 {
     for (int i = 0; i < 100; i++) {
         double middle = left + (right - left) / 2;
-        if ((term_set(term, middle) > term->strength) == (at_left > term->strength)) {
+        if ((term_set(term, middle) > level) == (at_left > level)) {
             left = middle;
         } else {
             right = middle;
@@ -118,18 +106,10 @@ static double crossing(const struct exact_term *term, double left, double right,
     return left;
 }
 
-/* Cuts at the kinks of one term and, for min, where it meets its strength. */
-static void cut_term(struct work *w, const struct exact_term *term)
+/* Cuts where TERM's set crosses LEVEL. KINK has its KINKS kinks. */
+static void cut_level(struct work *w, const struct exact_term *term, double level,
+                      const double *kink, size_t kinks)
 {
-    double kink[SHAPE_KINKS_MAX + 2];
-    size_t kinks = tidy(kink, shape_kinks(term->set, kink), w->min, w->max);
-
-    for (size_t i = 0; i < kinks; i++) {
-        w->cut[w->cuts++] = kink[i];
-    }
-    if (w->fis->imp_method == IMP_PROD) {
-        return;
-    }
     for (size_t i = 0; i + 1 < kinks; i++) {
         double width = kink[i + 1] - kink[i];
         double left =
@@ -138,12 +118,31 @@ static void cut_term(struct work *w, const struct exact_term *term)
         double at_left = term_set(term, left);
         double at_right = term_set(term, right);
 
-        if ((at_left > term->strength) != (at_right > term->strength)) {
+        if ((at_left > level) != (at_right > level)) {
             w->cut[w->cuts++] =
                 shape_is_linear(term->set)
-                    ? left + (right - left) * (term->strength - at_left) / (at_right - at_left)
-                    : crossing(term, left, right, at_left);
+                    ? left + (right - left) * (level - at_left) / (at_right - at_left)
+                    : crossing(term, level, left, right, at_left);
         }
+    }
+}
+
+/* Cuts at the kinks of one term, and where its implication makes another kink: min where the set
+ * meets the strength, two others where both together are 1. */
+static void cut_term(struct work *w, const struct exact_term *term)
+{
+    double kink[SHAPE_KINKS_MAX + 2];
+    size_t kinks = tidy(kink, shape_kinks(term->set, kink), w->min, w->max);
+
+    for (size_t i = 0; i < kinks; i++) {
+        w->cut[w->cuts++] = kink[i];
+    }
+    if (term->imp_method == TNORM_MIN || term->imp_method == TNORM_NILPOTENT_MINIMUM) {
+        cut_level(w, term, term->strength, kink, kinks);
+    }
+    if (term->imp_method == TNORM_BOUNDED_DIFFERENCE ||
+        term->imp_method == TNORM_NILPOTENT_MINIMUM) {
+        cut_level(w, term, 1 - term->strength, kink, kinks);
     }
 }
 
@@ -191,12 +190,11 @@ static void straight_piece(struct work *w, double left, double right, double at_
 
 /* The straight line that TERM is between LEFT and RIGHT, from two points inside: at the ends it may
  * jump. */
-static struct line line_of(const struct work *w, const struct exact_term *term, double left,
-                           double right)
+static struct line line_of(const struct exact_term *term, double left, double right)
 {
     double quarter = (right - left) / 4;
-    double y1 = implied(w->fis, term, term_set(term, left + quarter));
-    double y2 = implied(w->fis, term, term_set(term, right - quarter));
+    double y1 = implied(term, term_set(term, left + quarter));
+    double y2 = implied(term, term_set(term, right - quarter));
     double rise = (y2 - y1) / 2;
     struct line line = {fmin(fmax(y1 - rise, 0), 1), fmin(fmax(y2 + rise, 0), 1)};
 
@@ -244,11 +242,11 @@ static void linear_pieces(struct work *w, double left, double right)
     double at_right = 0;
 
     for (size_t i = 0; i < w->terms; i++) {
-        w->line[i] = line_of(w, &w->term[i], left, right);
+        w->line[i] = line_of(&w->term[i], left, right);
         at_left += w->line[i].at_left;
         at_right += w->line[i].at_right;
     }
-    if (w->fis->agg_method == AGG_SUM || w->terms == 1) {
+    if (w->output->agg_method == SNORM_SUM || w->terms == 1) {
         straight_piece(w, left, right, at_left, at_right);
     } else {
         walk_envelope(w, left, right);
@@ -423,7 +421,7 @@ static bool is_level(const struct work *w, const struct piece *piece, double flo
 
 static double of_maximum(const struct work *w, enum fis_defuzz method)
 {
-    bool inner = !w->straight && w->fis->agg_method != AGG_MAX;
+    bool inner = !w->straight && w->output->agg_method != SNORM_MAX;
     struct summit s = {0};
     double same = 1e-11 * (w->max - w->min);
     double floor;
@@ -469,10 +467,14 @@ static bool prepare(struct work *w)
 {
     size_t room = 2;
 
-    w->straight = w->fis->agg_method != AGG_PROBOR || w->terms == 1;
+    w->straight =
+        w->output->agg_method == SNORM_MAX || w->output->agg_method == SNORM_SUM || w->terms == 1;
     for (size_t i = 0; i < w->terms; i++) {
-        w->straight = w->straight && shape_is_linear(w->term[i].set);
-        room += 2 * (w->term[i].set->parameters / 2 + 40);
+        const struct exact_term *term = &w->term[i];
+
+        w->straight = w->straight && shape_is_linear(term->set) &&
+                      (term->imp_method == TNORM_MIN || term->imp_method == TNORM_PROD);
+        room += 3 * (term->set->parameters / 2 + 40);
     }
     w->cut = malloc((room + 2) * sizeof *w->cut);
     w->line = malloc(w->terms * sizeof *w->line);
@@ -490,11 +492,11 @@ static bool loses_digits(const struct exact_term *term, size_t count)
     return false;
 }
 
-bool exact_defuzz(const struct fis *fis, const struct variable *output,
-                  const struct exact_term *term, size_t count, double *y)
+bool exact_defuzz(const struct variable *output, const struct exact_term *term, size_t count,
+                  double *y)
 {
     struct work w = {
-        .fis = fis, .term = term, .terms = count, .min = output->min, .max = output->max};
+        .output = output, .term = term, .terms = count, .min = output->min, .max = output->max};
     struct moments sum = {0, 0};
     int budget = SPLITS_MAX;
 
@@ -521,12 +523,12 @@ bool exact_defuzz(const struct fis *fis, const struct variable *output,
         }
     }
     if (sum.area > 0) {
-        if (fis->defuzz_method == DEFUZZ_CENTROID) {
+        if (output->defuzz_method == DEFUZZ_CENTROID) {
             *y = w.middle + sum.moment / sum.area;
-        } else if (fis->defuzz_method == DEFUZZ_BISECTOR) {
+        } else if (output->defuzz_method == DEFUZZ_BISECTOR) {
             *y = bisector(&w, sum.area);
         } else {
-            *y = of_maximum(&w, fis->defuzz_method);
+            *y = of_maximum(&w, output->defuzz_method);
         }
         *y = fmin(fmax(*y, w.min), w.max);
     }

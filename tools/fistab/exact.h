@@ -19,13 +19,14 @@
 struct exact_term {
     const struct set *set;
     bool negated;
+    enum tnorm imp_method;
     double strength;   /* above 0 */
     size_t consequent; /* the evaluator's own number of it */
 };
 
-/* Y of the COUNT terms, 1 or more, aggregated as FIS says over the range of OUTPUT: within 1e-9 of
- * the range. Returns false, and leaves Y, where the set has no area. */
-bool exact_defuzz(const struct fis *fis, const struct variable *output,
-                  const struct exact_term *term, size_t count, double *y);
+/* Y of the COUNT terms, 1 or more, aggregated as OUTPUT says over its range: within 1e-9 of the
+ * range. Returns false, and leaves Y, where the set has no area. */
+bool exact_defuzz(const struct variable *output, const struct exact_term *term, size_t count,
+                  double *y);
 
 #endif

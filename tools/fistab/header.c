@@ -80,24 +80,86 @@ static const char *file_name(const char *path)
     return slash != NULL ? slash + 1 : path;
 }
 
+/* "Mamdani: and min, or max, implication min, aggregation max, centroid of 101 samples." */
+static void write_output_methods(const struct writer *w, const struct block *block,
+                                 const struct variable *output)
+{
+    const struct infer_options *infer = &w->table->options.infer;
+    bool is_mamdani = output->type == FIS_MAMDANI;
+
+    fprintf(w->out, "%s: and %s, or %s", fis_type_words[output->type],
+            tnorm_name[block->and_method].fis, snorm_name[block->or_method].fis);
+    if (is_mamdani) {
+        fprintf(w->out, ", implication %s, aggregation %s", tnorm_name[block->imp_method].fis,
+                snorm_name[output->agg_method].fis);
+    }
+    fprintf(w->out, ", %s", fis_defuzz_words[output->defuzz_method]);
+    if (is_mamdani && infer->exact) {
+        fprintf(w->out, ", integrated exactly");
+    } else if (is_mamdani) {
+        fprintf(w->out, " of %zu %s", infer_samples(infer, output),
+                output->midpoints != 0 ? "midpoints" : "samples");
+    }
+    fprintf(w->out, ".\n");
+}
+
+static bool same_methods(const struct variable *a, const struct variable *b)
+{
+    return a->type == b->type && a->agg_method == b->agg_method &&
+           a->defuzz_method == b->defuzz_method && a->midpoints == b->midpoints;
+}
+
+static bool same_operators(const struct block *a, const struct block *b)
+{
+    return a->and_method == b->and_method && a->or_method == b->or_method &&
+           a->imp_method == b->imp_method;
+}
+
+/* The operators of the rules that set OUTPUT; NULL where they differ. */
+static const struct block *operators_of(const struct fis *fis, size_t output)
+{
+    const struct block *found = NULL;
+
+    for (size_t r = 0; r < fis->rules; r++) {
+        const struct block *block = &fis->block[fis->rule[r].block];
+
+        if (fis->rule[r].term[fis->inputs + output] == 0) {
+            continue;
+        }
+        if (found != NULL && !same_operators(found, block)) {
+            return NULL;
+        }
+        found = block;
+    }
+    return found != NULL ? found : &fis->block[0];
+}
+
 static void write_methods(const struct writer *w)
 {
     const struct fis *fis = w->table->fis;
     const struct table_options *options = &w->table->options;
+    bool same = true;
 
-    fprintf(w->out, " * %s: and %s, or %s", fis_type_words[fis->type],
-            fis_and_words[fis->and_method], fis_or_words[fis->or_method]);
-    if (fis->type == FIS_MAMDANI) {
-        fprintf(w->out, ", implication %s, aggregation %s", fis_imp_words[fis->imp_method],
-                fis_agg_words[fis->agg_method]);
+    for (size_t o = 1; o < fis->outputs; o++) {
+        const struct block *first = operators_of(fis, 0), *other = operators_of(fis, o);
+
+        same = same && same_methods(&fis->output[0], &fis->output[o]) && first != NULL &&
+               other != NULL && same_operators(first, other);
     }
-    fprintf(w->out, ", %s", fis_defuzz_words[fis->defuzz_method]);
-    if (fis->type == FIS_MAMDANI && options->infer.exact) {
-        fprintf(w->out, ", integrated exactly");
-    } else if (fis->type == FIS_MAMDANI) {
-        fprintf(w->out, " of %zu samples", options->infer.samples);
+    for (size_t o = 0; o < (same ? 1 : fis->outputs); o++) {
+        const struct block *block = operators_of(fis, o);
+
+        fprintf(w->out, " * ");
+        if (!same) {
+            fprintf(w->out, "output %zu: ", o + 1);
+        }
+        if (block == NULL) {
+            fprintf(w->out, "rule blocks with other operators, ");
+            block = &fis->block[0];
+        }
+        write_output_methods(w, block, &fis->output[o]);
     }
-    fprintf(w->out, ".\n * %s; value = round(%d * (output - min) / (max - min)), half %s",
+    fprintf(w->out, " * %s; value = round(%d * (output - min) / (max - min)), half %s",
             options->nodes ? "Sampled at nodes from end to end" : "Sampled at cell centres",
             options->levels, options->half_down ? "down" : "up");
     fprintf(w->out, ".\n * Repair: %s.\n",

@@ -14,14 +14,16 @@
 struct consequent {
     const struct set *set;
     bool negated;
+    enum tnorm imp_method;
     double *mu;      /* at the samples; only where the engine samples */
     size_t from, to; /* samples outside [from, to) are 0 */
 };
 
-/* One clause of a rule's right side: rule RULE feeds consequent CONSEQUENT. */
+/* One outcome of a rule: rule RULE feeds consequent CONSEQUENT. */
 struct clause {
     size_t rule;
     size_t consequent;
+    hedges_t hedges; /* on the rule's strength */
 };
 
 struct output_plan {
@@ -30,7 +32,8 @@ struct output_plan {
     size_t consequents;
     struct clause *clause; /* in the order of the rules */
     size_t clauses;
-    double *x; /* the samples */
+    size_t samples;
+    double *x; /* where the samples are */
 };
 
 struct engine {
@@ -49,17 +52,21 @@ struct engine {
 /* --- setting up ---------------------------------------------------------------------------------
  */
 
-static size_t find_consequent(struct output_plan *plan, const struct set *set, bool negated)
+static size_t find_consequent(struct output_plan *plan, const struct set *set, bool negated,
+                              enum tnorm imp_method)
 {
     size_t i;
 
     for (i = 0; i < plan->consequents; i++) {
-        if (plan->consequent[i].set == set && plan->consequent[i].negated == negated) {
+        const struct consequent *c = &plan->consequent[i];
+
+        if (c->set == set && c->negated == negated && c->imp_method == imp_method) {
             return i;
         }
     }
     plan->consequent[i].set = set;
     plan->consequent[i].negated = negated;
+    plan->consequent[i].imp_method = imp_method;
     plan->consequents++;
     return i;
 }
@@ -68,37 +75,52 @@ static bool plan_clauses(const struct fis *fis, struct output_plan *plan, size_t
 {
     plan->variable = &fis->output[output];
     plan->clause = calloc(fis->rules + 1, sizeof *plan->clause);
-    plan->consequent = calloc(2 * plan->variable->sets + 1, sizeof *plan->consequent);
+    plan->consequent = calloc(fis->rules + 1, sizeof *plan->consequent);
     if (plan->clause == NULL || plan->consequent == NULL) {
         return false;
     }
     for (size_t r = 0; r < fis->rules; r++) {
-        int term = fis->rule[r].term[fis->inputs + output];
+        const struct rule *rule = &fis->rule[r];
+        int term = rule->term[fis->inputs + output];
         const struct set *set = fis_set(plan->variable, term);
+
         if (set == NULL) {
             continue;
         }
         plan->clause[plan->clauses].rule = r;
-        plan->clause[plan->clauses].consequent = find_consequent(plan, set, term < 0);
+        plan->clause[plan->clauses].hedges = rule->hedges[fis->inputs + output];
+        plan->clause[plan->clauses].consequent =
+            find_consequent(plan, set, term < 0, fis->block[rule->block].imp_method);
         plan->clauses++;
     }
     return true;
 }
 
-static bool sample_consequents(struct output_plan *plan, size_t samples)
+/* Samples from end to end, in the same order of operations as MATLAB's linspace, to the last bit;
+ * or, for a file of fuzzylite's, in the middle of stripes of the range, as fuzzylite does. */
+static void place_samples(const struct output_plan *plan)
 {
     const struct variable *variable = plan->variable;
+    double span = variable->max - variable->min, count = (double)plan->samples;
+
+    for (size_t k = 0; k < plan->samples; k++) {
+        plan->x[k] = variable->midpoints > 0 ? variable->min + ((double)k + 0.5) * (span / count)
+                                             : variable->min + (double)k * span / (count - 1);
+    }
+    if (variable->midpoints == 0) {
+        plan->x[plan->samples - 1] = variable->max;
+    }
+}
+
+static bool sample_consequents(struct output_plan *plan)
+{
+    size_t samples = plan->samples;
 
     plan->x = malloc(samples * sizeof *plan->x);
     if (plan->x == NULL) {
         return false;
     }
-    /* In this order of operations as MATLAB's linspace, to the last bit. */
-    for (size_t k = 0; k < samples; k++) {
-        plan->x[k] =
-            variable->min + (double)k * (variable->max - variable->min) / (double)(samples - 1);
-    }
-    plan->x[samples - 1] = variable->max;
+    place_samples(plan);
 
     for (size_t i = 0; i < plan->consequents; i++) {
         struct consequent *c = &plan->consequent[i];
@@ -108,7 +130,7 @@ static bool sample_consequents(struct output_plan *plan, size_t samples)
             return false;
         }
         for (size_t k = 0; k < samples; k++) {
-            double mu = mf_degree(c->set->kind, c->set->parameter, c->set->parameters, plan->x[k]);
+            double mu = set_degree(c->set, plan->x[k]);
             c->mu[k] = c->negated ? 1 - mu : mu;
         }
         for (c->to = samples; c->to > 0 && c->mu[c->to - 1] == 0; c->to--)
@@ -121,24 +143,31 @@ static bool sample_consequents(struct output_plan *plan, size_t samples)
 
 static bool too_large(const struct fis *fis, const struct infer_options *options)
 {
-    size_t sets = 0;
+    size_t numbers = 0;
 
     for (size_t o = 0; o < fis->outputs; o++) {
-        sets += 2 * fis->output[o].sets;
+        if (fis->output[o].type == FIS_MAMDANI) {
+            numbers +=
+                2 * fis->output[o].sets * fis->blocks * infer_samples(options, &fis->output[o]);
+        }
     }
-    return fis->type == FIS_MAMDANI && !options->exact && sets * options->samples > 64U << 20;
+    return !options->exact && numbers > 64U << 20;
 }
 
 static bool allocate(struct engine *e)
 {
     const struct fis *fis = e->fis;
-    size_t consequents = 0;
+    size_t consequents = 0, samples = 1;
 
+    for (size_t o = 0; o < fis->outputs; o++) {
+        size_t count = infer_samples(&e->options, &fis->output[o]);
+        samples = count > samples ? count : samples;
+    }
     e->plan = calloc(fis->outputs, sizeof *e->plan);
     e->degree = calloc(fis->inputs, sizeof *e->degree);
     e->x = malloc(fis->inputs * sizeof *e->x);
     e->strength = calloc(fis->rules + 1, sizeof *e->strength);
-    e->aggregate = calloc(e->options.samples, sizeof *e->aggregate);
+    e->aggregate = calloc(samples, sizeof *e->aggregate);
     e->term = calloc(fis->rules + 1, sizeof *e->term);
     e->fired = calloc(fis->outputs, sizeof *e->fired);
     if (e->plan == NULL || e->degree == NULL || e->x == NULL || e->strength == NULL ||
@@ -156,8 +185,9 @@ static bool allocate(struct engine *e)
         if (!plan_clauses(fis, &e->plan[o], o)) {
             return false;
         }
-        if (fis->type == FIS_MAMDANI && !e->options.exact &&
-            !sample_consequents(&e->plan[o], e->options.samples)) {
+        e->plan[o].samples = infer_samples(&e->options, &fis->output[o]);
+        if (fis->output[o].type == FIS_MAMDANI && !e->options.exact &&
+            !sample_consequents(&e->plan[o])) {
             return false;
         }
         if (e->plan[o].consequents > consequents) {
@@ -168,6 +198,14 @@ static bool allocate(struct engine *e)
     return e->term_of != NULL;
 }
 
+size_t infer_samples(const struct infer_options *options, const struct variable *output)
+{
+    if (options->samples != 0) {
+        return options->samples;
+    }
+    return output->midpoints != 0 ? output->midpoints : INFER_SAMPLES;
+}
+
 struct engine *engine_create(const struct fis *fis, const struct infer_options *options)
 {
     struct engine *engine;
@@ -175,7 +213,7 @@ struct engine *engine_create(const struct fis *fis, const struct infer_options *
     if (too_large(fis, options)) {
         diag_error(fis->file, 0,
                    "%zu samples of so many output sets are beyond fistab's limit; take fewer",
-                   options->samples);
+                   infer_samples(options, &fis->output[0]));
         return NULL;
     }
     engine = calloc(1, sizeof *engine);
@@ -226,14 +264,15 @@ static void fuzzify(struct engine *e, const double *x)
 {
     for (size_t i = 0; i < e->fis->inputs; i++) {
         const struct variable *input = &e->fis->input[i];
+        double value = input->lock_range ? fmin(fmax(x[i], input->min), input->max) : x[i];
 
-        if (x[i] == e->x[i]) {
+        if (value == e->x[i]) {
             continue;
         }
-        e->x[i] = x[i];
+        e->x[i] = value;
         for (size_t k = 0; k < input->sets; k++) {
             const struct set *set = &input->set[k];
-            e->degree[i][k] = mf_degree(set->kind, set->parameter, set->parameters, x[i]);
+            e->degree[i][k] = set_degree(set, value);
         }
     }
 }
@@ -243,6 +282,7 @@ static void fuzzify(struct engine *e, const double *x)
 static double firing_strength(const struct engine *e, const struct rule *rule)
 {
     const struct fis *fis = e->fis;
+    const struct block *block = &fis->block[rule->block];
     double strength = rule->is_or ? 0 : 1;
 
     for (size_t i = 0; i < fis->inputs; i++) {
@@ -252,16 +292,9 @@ static double firing_strength(const struct engine *e, const struct rule *rule)
         if (term == 0) {
             continue;
         }
-        degree = e->degree[i][abs(term) - 1];
-        if (term < 0) {
-            degree = 1 - degree;
-        }
-        if (rule->is_or) {
-            strength = fis->or_method == OR_PROBOR ? strength + degree - strength * degree
-                                                   : fmax(strength, degree);
-        } else {
-            strength = fis->and_method == AND_PROD ? strength * degree : fmin(strength, degree);
-        }
+        degree = condition_degree(term, rule->hedges[i], e->degree[i][abs(term) - 1]);
+        strength = rule->is_or ? snorm(block->or_method, strength, degree)
+                               : tnorm(block->and_method, strength, degree);
         if (strength == 0 && !rule->is_or) {
             break;
         }
@@ -281,33 +314,43 @@ static double sugeno_value(const struct fis *fis, const struct set *set, const d
     return value;
 }
 
-static bool eval_sugeno(const struct engine *e, const struct output_plan *plan, const double *x,
-                        double *y)
+/* How strongly a clause speaks for its set; 0: its rule does not fire. */
+static double clause_strength(const struct engine *e, const struct clause *clause)
+{
+    double strength = e->strength[clause->rule];
+
+    return strength == 0 ? 0 : hedges_apply(clause->hedges, strength);
+}
+
+/* A rule whose outcome is 0 counts in the weights as any other: the mean is over all that fire. */
+static bool eval_sugeno(const struct engine *e, const struct output_plan *plan, double *y)
 {
     double sum = 0;
     double weights = 0;
 
     for (size_t i = 0; i < plan->clauses; i++) {
-        double strength = e->strength[plan->clause[i].rule];
+        double strength = clause_strength(e, &plan->clause[i]);
+        const struct set *set = plan->consequent[plan->clause[i].consequent].set;
+
         if (strength == 0) {
             continue;
         }
-        sum += strength * sugeno_value(e->fis, plan->consequent[plan->clause[i].consequent].set, x);
+        sum += strength * sugeno_value(e->fis, set, e->x);
         weights += strength;
     }
     if (weights == 0) {
         return false;
     }
-    *y = e->fis->defuzz_method == DEFUZZ_WTSUM ? sum : sum / weights;
+    *y = plan->variable->defuzz_method == DEFUZZ_WTSUM ? sum : sum / weights;
     return true;
 }
 
 /* The clauses that fire, as terms. With max as aggregation, rules with the same consequent are one
- * term with the largest strength: max(min(a, m), min(b, m)) = min(max(a, b), m), product likewise.
- */
+ * term with the largest strength: max(min(a, m), min(b, m)) = min(max(a, b), m), and so with every
+ * implication, as none of them falls when a strength rises. */
 static size_t collect_terms(struct engine *e, const struct output_plan *plan)
 {
-    bool merge = e->fis->agg_method == AGG_MAX;
+    bool merge = plan->variable->agg_method == SNORM_MAX;
     size_t terms = 0;
 
     if (merge) {
@@ -315,7 +358,7 @@ static size_t collect_terms(struct engine *e, const struct output_plan *plan)
     }
     for (size_t i = 0; i < plan->clauses; i++) {
         size_t c = plan->clause[i].consequent;
-        double strength = e->strength[plan->clause[i].rule];
+        double strength = clause_strength(e, &plan->clause[i]);
         size_t at = terms;
 
         if (strength == 0) {
@@ -331,6 +374,7 @@ static size_t collect_terms(struct engine *e, const struct output_plan *plan)
         }
         e->term[at].set = plan->consequent[c].set;
         e->term[at].negated = plan->consequent[c].negated;
+        e->term[at].imp_method = plan->consequent[c].imp_method;
         e->term[at].consequent = c;
         e->term[at].strength = strength;
         terms++;
@@ -338,54 +382,54 @@ static size_t collect_terms(struct engine *e, const struct output_plan *plan)
     return terms;
 }
 
-static void aggregate(const struct fis *fis, const struct consequent *c, double strength,
+/* One plain loop for each of the usual cases: the compiler makes vector code of them. */
+static void aggregate(enum snorm agg_method, const struct consequent *c, double strength,
                       double *out)
 {
-    bool product = fis->imp_method == IMP_PROD;
+    bool product = c->imp_method == TNORM_PROD;
+    bool usual = product || c->imp_method == TNORM_MIN;
     /* Where a set is cut at a sample, rounding must not take the sample off the plateau: the mean
      * of maxima would move. 16 roundings: what a sample, its set and the strength of a rule make
      * where sets are no narrower than a quarter of a range that holds 0. */
     double level = strength * (1 - 16 * DBL_EPSILON);
 
-    /* One plain loop for each case: the compiler makes vector code of them. */
-    switch (fis->agg_method) {
-    case AGG_MAX:
+    if (usual && agg_method == SNORM_MAX) {
         for (size_t k = c->from; k < c->to; k++) {
             double mu = product ? strength * c->mu[k] : level < c->mu[k] ? strength : c->mu[k];
             out[k] = out[k] > mu ? out[k] : mu;
         }
-        break;
-    case AGG_SUM:
+    } else if (usual && agg_method == SNORM_SUM) {
         for (size_t k = c->from; k < c->to; k++) {
             out[k] += product ? strength * c->mu[k] : level < c->mu[k] ? strength : c->mu[k];
         }
-        break;
-    case AGG_PROBOR:
+    } else if (usual && agg_method == SNORM_PROBOR) {
         for (size_t k = c->from; k < c->to; k++) {
             double mu = product ? strength * c->mu[k] : level < c->mu[k] ? strength : c->mu[k];
             out[k] = out[k] + mu - out[k] * mu; /* MATLAB's order: ties stay ties */
         }
-        break;
+    } else {
+        for (size_t k = c->from; k < c->to; k++) {
+            out[k] = snorm(agg_method, out[k], tnorm(c->imp_method, strength, c->mu[k]));
+        }
     }
 }
 
 static bool eval_mamdani(struct engine *e, const struct output_plan *plan, double *y)
 {
     size_t terms = collect_terms(e, plan);
-    size_t samples = e->options.samples;
 
     if (terms == 0) {
         return false;
     }
     if (e->options.exact) {
-        return exact_defuzz(e->fis, plan->variable, e->term, terms, y);
+        return exact_defuzz(plan->variable, e->term, terms, y);
     }
-    memset(e->aggregate, 0, samples * sizeof *e->aggregate);
+    memset(e->aggregate, 0, plan->samples * sizeof *e->aggregate);
     for (size_t i = 0; i < terms; i++) {
-        aggregate(e->fis, &plan->consequent[e->term[i].consequent], e->term[i].strength,
-                  e->aggregate);
+        aggregate(plan->variable->agg_method, &plan->consequent[e->term[i].consequent],
+                  e->term[i].strength, e->aggregate);
     }
-    return defuzz(e->fis->defuzz_method, plan->x, e->aggregate, samples, y);
+    return defuzz(plan->variable, plan->x, e->aggregate, plan->samples, y);
 }
 
 size_t engine_eval(struct engine *e, const double *x, double *y)
@@ -400,11 +444,17 @@ size_t engine_eval(struct engine *e, const double *x, double *y)
     for (size_t o = 0; o < fis->outputs; o++) {
         const struct output_plan *plan = &e->plan[o];
 
-        e->fired[o] =
-            fis->type == FIS_SUGENO ? eval_sugeno(e, plan, x, &y[o]) : eval_mamdani(e, plan, &y[o]);
-        if (!e->fired[o]) {
+        e->fired[o] = plan->variable->type == FIS_SUGENO ? eval_sugeno(e, plan, &y[o])
+                                                         : eval_mamdani(e, plan, &y[o]);
+        if (!e->fired[o] && !isnan(plan->variable->default_value)) {
+            y[o] = plan->variable->default_value;
+            e->fired[o] = true;
+        } else if (!e->fired[o]) {
             y[o] = (plan->variable->min + plan->variable->max) / 2;
             without++;
+        }
+        if (plan->variable->lock_range) {
+            y[o] = fmin(fmax(y[o], plan->variable->min), plan->variable->max);
         }
     }
     return without;

@@ -1,4 +1,4 @@
-/* Membership functions, each as MATLAB's toolbox documents it. */
+/* Membership functions, each as MATLAB's toolbox or fuzzylite documents it. */
 #include "mf.h"
 
 #include <math.h>
@@ -8,11 +8,24 @@ static const struct {
     const char *name;
     size_t parameters;
 } type[] = {
-    [MF_TRIMF] = {"trimf", 3},       [MF_TRAPMF] = {"trapmf", 4},   [MF_GAUSSMF] = {"gaussmf", 2},
-    [MF_GAUSS2MF] = {"gauss2mf", 4}, [MF_GBELLMF] = {"gbellmf", 3}, [MF_SIGMF] = {"sigmf", 2},
-    [MF_DSIGMF] = {"dsigmf", 4},     [MF_PSIGMF] = {"psigmf", 4},   [MF_ZMF] = {"zmf", 2},
-    [MF_SMF] = {"smf", 2},           [MF_PIMF] = {"pimf", 4},       [MF_LINZMF] = {"linzmf", 2},
-    [MF_LINSMF] = {"linsmf", 2},     [MF_PWLMF] = {"pwlmf", 0},     [MF_CONSTANT] = {"constant", 1},
+    [MF_TRIMF] = {"trimf", 3},
+    [MF_TRAPMF] = {"trapmf", 4},
+    [MF_GAUSSMF] = {"gaussmf", 2},
+    [MF_GAUSS2MF] = {"gauss2mf", 4},
+    [MF_GBELLMF] = {"gbellmf", 3},
+    [MF_SIGMF] = {"sigmf", 2},
+    [MF_DSIGMF] = {"dsigmf", 4},
+    [MF_PSIGMF] = {"psigmf", 4},
+    [MF_ZMF] = {"zmf", 2},
+    [MF_SMF] = {"smf", 2},
+    [MF_PIMF] = {"pimf", 4},
+    [MF_LINZMF] = {"linzmf", 2},
+    [MF_LINSMF] = {"linsmf", 2},
+    [MF_PWLMF] = {"pwlmf", 0},
+    [MF_CONCAVEMF] = {"concavemf", 2},
+    [MF_COSINEMF] = {"cosinemf", 2},
+    [MF_SPIKEMF] = {"spikemf", 2},
+    [MF_CONSTANT] = {"constant", 1},
     [MF_LINEAR] = {"linear", 0},
 };
 
@@ -86,6 +99,9 @@ const char *mf_fault(enum mf_kind kind, const double *p, size_t count)
     case MF_LINZMF:
     case MF_LINSMF:
         return p[0] <= p[1] ? NULL : "[a b] with a <= b";
+    case MF_COSINEMF:
+    case MF_SPIKEMF:
+        return p[1] > 0 ? NULL : "[centre width] with a width above 0";
     default:
         return NULL;
     }
@@ -176,6 +192,26 @@ static double pwl(double x, const double *p, size_t count)
     return p[i - 1] + (p[i + 1] - p[i - 1]) * (x - p[i - 2]) / (p[i] - p[i - 2]);
 }
 
+/* fuzzylite's Concave: 1 from END on, and on the other side a hyperbola that is 1/2 at
+ * INFLECTION. */
+static double concave(double x, double inflection, double end)
+{
+    double far = inflection <= end ? end - x : x - end;
+
+    if (far <= 0) {
+        return 1;
+    }
+    return fabs(end - inflection) / (fabs(end - inflection) + far);
+}
+
+static double cosine(double x, double centre, double width)
+{
+    if (fabs(x - centre) > width / 2) {
+        return 0;
+    }
+    return (1 + cos(2 * M_PI * (x - centre) / width)) / 2;
+}
+
 double mf_degree(enum mf_kind kind, const double *p, size_t count, double x)
 {
     switch (kind) {
@@ -209,7 +245,141 @@ double mf_degree(enum mf_kind kind, const double *p, size_t count, double x)
         return ramp_up(x, p[0], p[1]);
     case MF_PWLMF:
         return pwl(x, p, count);
+    case MF_CONCAVEMF:
+        return concave(x, p[0], p[1]);
+    case MF_COSINEMF:
+        return cosine(x, p[0], p[1]);
+    case MF_SPIKEMF:
+        return exp(-fabs(10 / p[1] * (x - p[0])));
     default:
         return 0;
     }
+}
+
+/* --- fuzzylite's names --------------------------------------------------------------------------
+ */
+
+/* A row says where each of our parameters comes from in fuzzylite's list. */
+static const struct {
+    const char *class;
+    enum mf_kind kind;
+    unsigned char from[4];
+} fuzzylite_class[] = {
+    {"Triangle", MF_TRIMF, {0, 1, 2}},
+    {"Trapezoid", MF_TRAPMF, {0, 1, 2, 3}},
+    {"Gaussian", MF_GAUSSMF, {1, 0}},
+    {"GaussianProduct", MF_GAUSS2MF, {1, 0, 3, 2}},
+    {"Bell", MF_GBELLMF, {1, 2, 0}},
+    {"Sigmoid", MF_SIGMF, {1, 0}},
+    {"SigmoidDifference", MF_DSIGMF, {1, 0, 2, 3}},
+    {"SigmoidProduct", MF_PSIGMF, {1, 0, 2, 3}},
+    {"ZShape", MF_ZMF, {0, 1}},
+    {"SShape", MF_SMF, {0, 1}},
+    {"PiShape", MF_PIMF, {0, 1, 2, 3}},
+    {"Concave", MF_CONCAVEMF, {0, 1}},
+    {"Cosine", MF_COSINEMF, {0, 1}},
+    {"Spike", MF_SPIKEMF, {0, 1}},
+    {"Constant", MF_CONSTANT, {0}},
+};
+
+/* The classes of two parameters that become other functions. */
+static const struct {
+    const char *class, *fis;
+} two[] = {{"Ramp", "rampmf"}, {"Rectangle", "rectmf"}, {"Binary", "binarymf"}};
+enum { RAMP, RECTANGLE, BINARY, TWOS };
+
+static enum mf_kind ramp_from(double *p, const char **fault)
+{
+    double start = p[0], end = p[1];
+
+    *fault = start != end ? NULL : "two different numbers, start and end";
+    p[0] = fmin(start, end);
+    p[1] = fmax(start, end);
+    return start < end ? MF_LINSMF : MF_LINZMF;
+}
+
+/* A step: all from START on in DIRECTION, which is another number or infinite. */
+static enum mf_kind binary_from(double *p, const char **fault)
+{
+    double start = p[0], direction = p[1];
+    bool up = direction > start;
+
+    *fault = direction != start ? NULL : "start and direction, which is larger or smaller";
+    p[0] = p[1] = up ? start : -INFINITY;
+    p[2] = p[3] = up ? INFINITY : start;
+    return MF_TRAPMF;
+}
+
+enum mf_kind mf_from_fuzzylite(const char *class, double *p, size_t *count, const char **fault)
+{
+    *fault = NULL;
+    if (strcmp(class, "Discrete") == 0 || strcmp(class, "discretemf") == 0) {
+        return MF_PWLMF;
+    }
+    if (strcmp(class, "Linear") == 0) {
+        return MF_LINEAR;
+    }
+    for (int i = 0; i < TWOS; i++) {
+        if (strcmp(class, two[i].class) != 0 && strcmp(class, two[i].fis) != 0) {
+            continue;
+        }
+        if (*count != 2) {
+            *fault = "2 numbers";
+        } else if (i == RAMP) {
+            return ramp_from(p, fault);
+        } else if (i == BINARY) {
+            *count = 4;
+            return binary_from(p, fault);
+        } else {
+            *count = 4;
+            p[2] = p[3] = p[1];
+            p[1] = p[0];
+        }
+        return MF_TRAPMF;
+    }
+    for (size_t i = 0; i < sizeof fuzzylite_class / sizeof fuzzylite_class[0]; i++) {
+        enum mf_kind kind = fuzzylite_class[i].kind;
+        double ours[4];
+
+        if (strcmp(class, fuzzylite_class[i].class) != 0) {
+            continue;
+        }
+        for (size_t k = 0; k < *count && *count == type[kind].parameters; k++) {
+            ours[k] = p[fuzzylite_class[i].from[k]];
+        }
+        if (*count == type[kind].parameters) {
+            memcpy(p, ours, *count * sizeof *p);
+        }
+        if (kind == MF_TRAPMF && *count == 4) { /* with one infinite end it is open to that side */
+            p[1] = p[0] == -INFINITY ? p[0] : p[1];
+            p[2] = p[3] == INFINITY ? p[3] : p[2];
+        }
+        return kind;
+    }
+    return MF_UNKNOWN;
+}
+
+bool mf_is_fuzzylite_fis(const char *name)
+{
+    for (int i = 0; i < TWOS; i++) {
+        if (strcmp(name, two[i].fis) == 0) {
+            return true;
+        }
+    }
+    return strcmp(name, "discretemf") == 0;
+}
+
+size_t mf_parameters_of_class(const char *class)
+{
+    for (int i = 0; i < TWOS; i++) {
+        if (strcmp(class, two[i].class) == 0) {
+            return 2;
+        }
+    }
+    for (size_t i = 0; i < sizeof fuzzylite_class / sizeof fuzzylite_class[0]; i++) {
+        if (strcmp(class, fuzzylite_class[i].class) == 0) {
+            return type[fuzzylite_class[i].kind].parameters;
+        }
+    }
+    return 0;
 }

@@ -297,7 +297,7 @@ static void write_degrees(FILE *out, const struct variable *variable)
         fprintf(out, "%.10g", x);
         for (size_t s = 0; s < variable->sets; s++) {
             const struct set *set = &variable->set[s];
-            fprintf(out, " %.6g", mf_degree(set->kind, set->parameter, set->parameters, x));
+            fprintf(out, " %.6g", set_degree(set, x));
         }
         putc('\n', out);
     }
@@ -311,7 +311,7 @@ static double summit(const struct variable *variable, const struct set *set)
 
     for (size_t i = 0; i < CURVE_NODES; i++) {
         double x = node(variable, i, CURVE_NODES);
-        double degree = mf_degree(set->kind, set->parameter, set->parameters, x);
+        double degree = set_degree(set, x);
 
         if (degree > best + 1e-9) {
             best = degree;

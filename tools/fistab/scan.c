@@ -1,9 +1,10 @@
-/* Tokens of a .fis file. */
+/* Tokens of the files that describe fuzzy systems. */
 #include "scan.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,6 +69,12 @@ int scan_open(struct scan *scan, const char *file, const char *text, size_t leng
         return diag_error(file, 0, "larger than %d bytes, the limit; is this a .fis file?",
                           FIS_BYTES_MAX);
     }
+    if (length >= 10 && memcmp(text, "MATLAB 5.0", 10) == 0) {
+        return diag_error(
+            file, 0,
+            "is a workspace of MATLAB's (.mat), not a .fis; in MATLAB write the system "
+            "by writefis(fis, 'name')");
+    }
     if (length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
         text += 3;
         length -= 3;
@@ -111,14 +118,19 @@ void scan_close(struct scan *scan)
 static void skip_blanks(struct scan *scan)
 {
     while (isspace((unsigned char)*scan->at)) {
+        scan->line += scan->free_form && *scan->at == '\n';
         scan->at++;
     }
 }
 
-static void cut_comment(char *line)
+static void cut_comment(char *line, char comment)
 {
     char quote = '\0';
 
+    if (comment == '#') {
+        line[strcspn(line, "#")] = '\0';
+        return;
+    }
     for (; *line != '\0'; line++) {
         if (quote != '\0') {
             if (*line == quote) {
@@ -133,7 +145,7 @@ static void cut_comment(char *line)
     }
 }
 
-bool scan_line(struct scan *scan)
+bool scan_line(struct scan *scan, const char *comment)
 {
     while (scan->next != NULL) {
         char *end = scan->next + strcspn(scan->next, "\r\n");
@@ -146,13 +158,52 @@ bool scan_line(struct scan *scan)
             scan->next = end + (end[0] == '\r' && end[1] == '\n' ? 2 : 1);
         }
         *end = '\0';
-        cut_comment(scan->at);
+        cut_comment(scan->at, *comment);
         skip_blanks(scan);
         if (*scan->at != '\0' && *scan->at != '#' && strncmp(scan->at, "//", 2) != 0) {
             return true;
         }
     }
     return false;
+}
+
+static char *blank_until(char *at, const char *end)
+{
+    char *stop = strstr(at, end);
+
+    if (stop == NULL) {
+        stop = at + strlen(at);
+    }
+    for (; at < stop; at++) {
+        if (*at != '\n') {
+            *at = ' ';
+        }
+    }
+    return stop;
+}
+
+void scan_free_form(struct scan *scan)
+{
+    bool at_start = true; /* of a line */
+
+    for (char *at = scan->text; *at != '\0'; at++) {
+        if (at[0] == '(' && at[1] == '*') {
+            at = blank_until(at, "*)");
+            if (*at != '\0') {
+                at[0] = at[1] = ' ';
+            }
+        } else if (*at == '#' || (at[0] == '/' && at[1] == '/') || (*at == '%' && at_start)) {
+            at = blank_until(at, "\n");
+        }
+        if (*at == '\0') {
+            break;
+        }
+        at_start = *at == '\n' || (at_start && isspace((unsigned char)*at));
+    }
+    scan->at = scan->text;
+    scan->next = NULL;
+    scan->line = 1;
+    scan->free_form = true;
 }
 
 bool scan_char(struct scan *scan, char c)
@@ -189,9 +240,35 @@ bool scan_word(struct scan *scan)
     return true;
 }
 
-static const char *rest(const struct scan *scan)
+bool scan_name(struct scan *scan)
 {
-    return *scan->at != '\0' ? scan->at : "the end of the line";
+    size_t length;
+
+    skip_blanks(scan);
+    length = strcspn(scan->at, " \t\r\n\v\f()[],;:=|");
+    if (length == 0 || length >= sizeof scan->word) {
+        return false;
+    }
+    memcpy(scan->word, scan->at, length);
+    scan->word[length] = '\0';
+    scan->at += length;
+    return true;
+}
+
+const char *scan_found(const struct scan *scan)
+{
+    static char found[64];
+    size_t length = strcspn(scan->at, " \t\r\n\v\f,;()[]");
+
+    if (*scan->at == '\0') {
+        return scan->free_form ? "the end of the file" : "the end of the line";
+    }
+    snprintf(found, sizeof found, "'%.*s'",
+             length == 0   ? 1
+             : length > 40 ? 40
+                           : (int)length,
+             scan->at);
+    return found;
 }
 
 int scan_number(struct scan *scan, double *number)
@@ -200,11 +277,12 @@ int scan_number(struct scan *scan, double *number)
     char *end;
 
     skip_blanks(scan);
-    length = strcspn(scan->at, " \t\v\f,;:()[]'\"");
+    length = strcspn(scan->at, " \t\r\n\v\f,;:|()[]'\"");
     *number = strtod(scan->at, &end);
     if (length == 0 || end != scan->at + length || memchr(scan->at, 'x', length) != NULL ||
         memchr(scan->at, 'X', length) != NULL || isnan(*number)) {
-        return diag_error(scan->file, scan->line, "expected a number, found %.40s", rest(scan));
+        return diag_error(scan->file, scan->line, "expected a number such as 12.5, found %s",
+                          scan_found(scan));
     }
     if (isfinite(*number) && fabs(*number) > FIS_NUMBER_MAX) {
         return diag_error(scan->file, scan->line, "'%.*s' is beyond the limit of %g", (int)length,
@@ -222,8 +300,8 @@ int scan_quoted(struct scan *scan, char **string)
     skip_blanks(scan);
     quote = *scan->at;
     if (quote != '\'' && quote != '"') {
-        return diag_error(scan->file, scan->line, "expected a name in quotes, found %.40s",
-                          rest(scan));
+        return diag_error(scan->file, scan->line, "expected a name in quotes, found %s",
+                          scan_found(scan));
     }
     *string = out = malloc(strlen(scan->at));
     if (out == NULL) {
@@ -240,7 +318,8 @@ int scan_quoted(struct scan *scan, char **string)
     if (*scan->at != quote) {
         free(*string);
         *string = NULL;
-        return diag_error(scan->file, scan->line, "the quote %c is not closed", quote);
+        return diag_error(scan->file, scan->line,
+                          "the quote %c is not closed; write one at the end of the name", quote);
     }
     scan->at++;
     return EXIT_FINE;

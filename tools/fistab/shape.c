@@ -55,7 +55,7 @@ double shape_peak(double (*f)(double x, const void *context), const void *contex
 static double degree(double x, const void *context)
 {
     const struct set *set = context;
-    return mf_degree(set->kind, set->parameter, set->parameters, x);
+    return set_degree(set, x);
 }
 
 static void add_gauss(struct list *list, double sigma, double centre)

@@ -52,7 +52,7 @@ static size_t sort_unique(double *x, size_t count)
 
 static uint8_t state_at(const struct set *set, double x)
 {
-    double mu = mf_degree(set->kind, set->parameter, set->parameters, x);
+    double mu = set_degree(set, x);
     return (uint8_t)((mu > 0 ? ZONE_ABOVE_0 : 0) | (mu < 1 ? ZONE_BELOW_1 : 0));
 }
 
