@@ -20,10 +20,10 @@ build/$(1): $$($(1)_SRC:%.c=build/host/%.o)
 endef
 $(foreach tool,$(TOOLS),$(eval $(call tool_rules,$(tool))))
 
-build/host/%.o: %.c | build/boards.h
+build/host/%.o: %.c | build/boards.h build/worlds.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(HOST_FLAGS) -c $< -o $@
-build/sanitized/%.o: %.c | build/boards.h
+build/sanitized/%.o: %.c | build/boards.h build/worlds.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g -O1 $(SANITIZE) $(HOST_FLAGS) -c $< -o $@
 

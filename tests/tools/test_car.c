@@ -1,4 +1,5 @@
-/* Under test: tools/drive/car.c, the plant, against hand calculation and a plain fine Euler sum. */
+/* Under test: tools/drive/plant/car.c, the plant, against hand calculation and a plain fine Euler
+ * sum. */
 #include "car.h"
 
 #include <math.h>
@@ -254,10 +255,7 @@ static void test_that_a_profile_is_walked_point_by_point(void)
 {
     double speed;
 
-    scenario.lead.points = 3;
-    scenario.lead.profile[0] = (struct point){1, 2};
-    scenario.lead.profile[1] = (struct point){2, 2};
-    scenario.lead.profile[2] = (struct point){4, 0};
+    scenario.lead.profile = (struct profile){.points = {{1, 2}, {2, 2}, {4, 0}}, .count = 3};
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 1, car_lead_path_m(&scenario.lead, 0.5, &speed));
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 2, speed);
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 4 + 1.5, car_lead_path_m(&scenario.lead, 3, &speed));
@@ -282,6 +280,42 @@ static void test_that_a_car_cuts_in_where_the_ego_is_then(void)
     TEST_ASSERT_FALSE(car.record.impact);
 }
 
+/* A second target: the gap is that to the nearer one, and the car hits whichever comes first. */
+static void test_that_the_nearer_of_two_targets_counts(void)
+{
+    put_lead(4, 3); /* as fast as the ego */
+    scenario.lead2 = scenario.lead;
+    scenario.lead2.gap_m = 6;
+    scenario.lead2.speed_mps = 1;
+    begin();
+    TEST_ASSERT_EQUAL(0, car_nearest(&car));
+    car_advance(&car, 1500 * ms);
+    TEST_ASSERT_EQUAL(1, car_nearest(&car));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3, car_gap_m(&car));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, car_lead_mps(&car));
+    car_advance(&car, 5000 * ms);
+    TEST_ASSERT_TRUE(car.record.impact);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3, car.record.impact_s);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 2, car.record.impact_mps);
+}
+
+/* What stands beside the lane is passed, and does not count while something is in the way. */
+static void test_that_a_target_beside_the_lane_comes_second(void)
+{
+    put_lead(8, 3);
+    scenario.lead2 = scenario.lead;
+    scenario.lead2.gap_m = 3;
+    scenario.lead2.speed_mps = 0;
+    scenario.lead2.lane = 0.6;
+    begin();
+    TEST_ASSERT_EQUAL(0, car_nearest(&car));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3, car_target_gap_m(&car, 1));
+    car_advance(&car, 2000 * ms);
+    TEST_ASSERT_FALSE(car.record.impact);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, -3, car_target_gap_m(&car, 1));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 8, car.record.min_gap_m);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -302,5 +336,7 @@ int main(void)
     RUN_TEST(test_that_the_lead_brakes_to_a_stop);
     RUN_TEST(test_that_a_profile_is_walked_point_by_point);
     RUN_TEST(test_that_a_car_cuts_in_where_the_ego_is_then);
+    RUN_TEST(test_that_the_nearer_of_two_targets_counts);
+    RUN_TEST(test_that_a_target_beside_the_lane_comes_second);
     return UNITY_END();
 }

@@ -69,7 +69,7 @@ fails "missing scenario" 1 "nowhere.scn: error: cannot read the scenario" run PL
 fails "folder as a scenario" 1 "error: cannot read the scenario: Is a directory" run PLAIN --scenario "$work"
 fails "bad setting" 1 "--set: error: 'speed=4': write section.key=value" run PLAIN --set speed=4
 fails "setting of no key" 1 "--set: error: no key 'speed' in [ego]" run PLAIN --set ego.speed=4
-fails "setting of no section" 1 "--set: error: no section [car]" run PLAIN --set car.speed=4
+fails "setting of no section" 1 "--set: error: app brake has no section [car]" run PLAIN --set car.speed=4
 fails "setting out of range" 1 "--set: error: speed_mps = 99 is out of range" run PLAIN --set ego.speed_mps=99
 fails "missing image" 2 "NOTHERE.ihx: error: cannot read the image" run NOTHERE
 echo "hello" >"$work/images/TEXT.ihx"

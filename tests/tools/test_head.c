@@ -1,4 +1,5 @@
-/* Under test: tools/drive/head.c against the receiver of firmware/core: the two were written apart.
+/* Under test: tools/drive/plant/head.c against the receiver of firmware/frames: the two were
+ * written apart.
  */
 #include "head.h"
 
@@ -40,19 +41,19 @@ static void test_that_the_firmware_reads_what_the_head_writes(void)
 /* Answers that come out silent, of ten at 0, 1, 2 .. 9 s, as a row of letters. */
 static const char *bad_answers(const struct frame_fault *first, const struct frame_fault *second)
 {
-    static struct scenario scenario;
+    static struct head_settings settings;
     static char row[11];
     struct head head;
 
-    memset(&scenario, 0, sizeof scenario);
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
-        scenario.frames[i].kind = -1;
+    memset(&settings, 0, sizeof settings);
+    for (int i = 0; i < HEAD_FAULTS; i++) {
+        settings.faults[i].kind = -1;
     }
-    scenario.frames[0] = *first;
+    settings.faults[0] = *first;
     if (second != NULL) {
-        scenario.frames[1] = *second;
+        settings.faults[1] = *second;
     }
-    head_init(&head, &scenario, 1, FRAME_PARK, sizeof payload, spoil);
+    head_init(&head, &settings, 1, FRAME_PARK, sizeof payload, spoil);
     for (int i = 0; i < 10; i++) {
         uint8_t line[HEAD_LINE_MAX];
 
@@ -92,16 +93,16 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
                                 FRAME_RESYNC,  FRAME_REPEAT,   FRAME_NOISE};
 
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
-        static struct scenario scenario;
+        static struct head_settings settings;
         struct head head;
         unsigned good = 0, wrong = 0;
 
-        memset(&scenario, 0, sizeof scenario);
-        for (int i = 0; i < SCENARIO_FAULTS; i++) {
-            scenario.frames[i].kind = -1;
+        memset(&settings, 0, sizeof settings);
+        for (int i = 0; i < HEAD_FAULTS; i++) {
+            settings.faults[i].kind = -1;
         }
-        scenario.frames[0] = (struct frame_fault){kinds[k], 0, -1, 0.5, -1, 1};
-        head_init(&head, &scenario, 7 + k, FRAME_PARK, sizeof payload, spoil);
+        settings.faults[0] = (struct frame_fault){kinds[k], 0, -1, 0.5, -1, 1};
+        head_init(&head, &settings, 7 + k, FRAME_PARK, sizeof payload, spoil);
         for (int64_t t_ns = 1000000; t_ns < 20000 * 1000000LL; t_ns += 1000000) {
             uint8_t line[HEAD_LINE_MAX];
             size_t size;
@@ -120,6 +121,37 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
     }
 }
 
+/* Noise has its deviation and no bias, and does not change which frames are bad. */
+static void test_that_noise_is_apart_from_the_frames_faults(void)
+{
+    static struct head_settings settings;
+    struct head head, quiet;
+    double sum = 0, squares = 0;
+    uint8_t line[HEAD_LINE_MAX], same[HEAD_LINE_MAX];
+
+    for (int i = 0; i < HEAD_FAULTS; i++) {
+        settings.faults[i].kind = -1;
+    }
+    settings.faults[0] = (struct frame_fault){FRAME_CORRUPT, 0, -1, 0.5, -1, 1};
+    head_init(&head, &settings, 7, FRAME_PARK, sizeof payload, spoil);
+    head_init(&quiet, &settings, 7, FRAME_PARK, sizeof payload, spoil);
+    for (int i = 0; i < 20000; i++) {
+        double error = head_noisy(&head, 3, 0.5) - 3;
+
+        sum += error;
+        squares += error * error;
+        if (i < 1000) {
+            head_measured(&head, i * 1000000LL, payload);
+            head_measured(&quiet, i * 1000000LL, payload);
+            TEST_ASSERT_EQUAL(head_take(&quiet, i * 1000000LL, same),
+                              head_take(&head, i * 1000000LL, line));
+            TEST_ASSERT_EQUAL_MEMORY(same, line, 10);
+        }
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(0.02, 0, sum / 20000);
+    TEST_ASSERT_DOUBLE_WITHIN(0.02, 0.25, squares / 20000);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -127,5 +159,6 @@ int main(void)
     RUN_TEST(test_that_a_schedule_says_which_frames_are_bad);
     RUN_TEST(test_that_a_schedule_counts_within_its_time);
     RUN_TEST(test_that_no_bad_frame_comes_out_with_another_payload);
+    RUN_TEST(test_that_noise_is_apart_from_the_frames_faults);
     return UNITY_END();
 }

@@ -1,4 +1,5 @@
-/* Under test: tools/drive/sonar.c, the sensor and its faults; figures from the HC-SR04 data sheet.
+/* Under test: tools/drive/plant/sonar.c, the sensor and its faults; figures from the HC-SR04 data
+ * sheet.
  */
 #include "sonar.h"
 
@@ -7,20 +8,15 @@
 #include <unity.h>
 
 static const int64_t us = 1000, ms = 1000000;
-static struct scenario scenario;
+static struct sonar_settings settings;
 static struct sonar sonar;
 
 void setUp(void)
 {
-    memset(&scenario, 0, sizeof scenario);
-    scenario.sensor = (struct sensor){
-        .temp_c = 20, .min_m = 0.02, .max_m = 5, .delay_us = 450, .no_echo_us = 38000};
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
-        scenario.faults[i] = (struct fault){.kind = -1,
-                                            .for_s = SCENARIO_UNSET,
-                                            .dist_m = SCENARIO_UNSET,
-                                            .scale = 1,
-                                            .readings = 1};
+    memset(&settings, 0, sizeof settings);
+    section_defaults(&sensor_section, &settings.sensor);
+    for (int i = 0; i < SONAR_FAULTS; i++) {
+        section_defaults(&fault_section, &settings.faults[i]);
     }
 }
 
@@ -32,14 +28,14 @@ void tearDown(void)
 static void begin(uint64_t seed)
 {
     sonar_free(&sonar);
-    sonar_init(&sonar, &scenario, seed);
+    sonar_init(&sonar, &settings, seed);
 }
 
 static struct fault *fault(enum fault_kind kind, double from_s)
 {
-    scenario.faults[0].kind = kind;
-    scenario.faults[0].from_s = from_s;
-    return &scenario.faults[0];
+    settings.faults[0].kind = kind;
+    settings.faults[0].from_s = from_s;
+    return &settings.faults[0];
 }
 
 /* The pulse that the echo line shows, us; 0: none; -1: it never ends. */
@@ -141,7 +137,7 @@ static void test_that_noise_has_its_deviation_and_no_bias(void)
     double sum = 0, squares = 0;
     const int n = 20000;
 
-    scenario.sensor.noise_m = 0.01;
+    settings.sensor.noise_m = 0.01;
     begin(42);
     for (int i = 0; i < n; i++) {
         double error = read_m(i * 60 * ms, 2) - 2;
@@ -157,7 +153,7 @@ static void test_that_dropouts_come_as_often_as_asked_for(void)
 {
     int dropped = 0;
 
-    scenario.sensor.dropout = 0.1;
+    settings.sensor.dropout = 0.1;
     begin(42);
     for (int i = 0; i < 10000; i++) {
         dropped += isinf(read_m(i * 60 * ms, 2)) != 0;
@@ -169,8 +165,8 @@ static void test_that_the_same_seed_gives_the_same_readings(void)
 {
     double first[50];
 
-    scenario.sensor.noise_m = 0.02;
-    scenario.sensor.dropout = 0.1;
+    settings.sensor.noise_m = 0.02;
+    settings.sensor.dropout = 0.1;
     begin(7);
     for (int i = 0; i < 50; i++) {
         first[i] = read_m(i * 60 * ms, 2);
@@ -187,7 +183,7 @@ static void test_that_a_fault_leaves_the_later_noise_alone(void)
 {
     double healthy;
 
-    scenario.sensor.noise_m = 0.02;
+    settings.sensor.noise_m = 0.02;
     begin(7);
     for (int i = 0; i < 5; i++) {
         read_m(i * 60 * ms, 2);
@@ -203,7 +199,7 @@ static void test_that_a_fault_leaves_the_later_noise_alone(void)
 
 static void test_that_readings_are_rounded_to_the_step(void)
 {
-    scenario.sensor.step_m = 0.01;
+    settings.sensor.step_m = 0.01;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.23, read_m(0, 1.2345));
 }
@@ -296,7 +292,7 @@ static void test_that_garbage_has_nothing_to_do_with_the_distance(void)
 static void test_that_a_wrong_sensor_scales_and_shifts(void)
 {
     fault(FAULT_WRONG, 0)->scale = 1.5;
-    scenario.faults[0].offset_m = -0.2;
+    settings.faults[0].offset_m = -0.2;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2.8, read_m(0, 2));
 }
@@ -324,7 +320,7 @@ static void test_that_a_delayed_sensor_shows_the_past(void)
 static void test_that_an_intermittent_sensor_comes_and_goes(void)
 {
     fault(FAULT_INTERMITTENT, 1)->off_s = 0.3;
-    scenario.faults[0].on_s = 0.2;
+    settings.faults[0].on_s = 0.2;
     begin(1);
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(1100 * ms, 2));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(1400 * ms, 2));
@@ -338,7 +334,7 @@ static void test_that_an_intermittent_sensor_comes_and_goes(void)
 static void test_that_a_glitch_lasts_so_many_readings(void)
 {
     fault(FAULT_GLITCH, 0.1)->dist_m = 0.5;
-    scenario.faults[0].readings = 2;
+    settings.faults[0].readings = 2;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(0, 2));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 0.5, read_m(120 * ms, 2));
@@ -348,7 +344,7 @@ static void test_that_a_glitch_lasts_so_many_readings(void)
 
 static void test_that_the_p_variant_holds_its_line_until_a_target_is_there(void)
 {
-    scenario.sensor.no_target = NO_TARGET_HIGH;
+    settings.sensor.no_target = NO_TARGET_HIGH;
     begin(1);
     TEST_ASSERT_EQUAL_DOUBLE(-1, read_m(0, INFINITY));
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(60 * ms, INFINITY)); /* no new edge: still high */
@@ -358,7 +354,7 @@ static void test_that_the_p_variant_holds_its_line_until_a_target_is_there(void)
 
 static void test_that_a_silent_variant_gives_no_pulse_for_no_target(void)
 {
-    scenario.sensor.no_target = NO_TARGET_SILENT;
+    settings.sensor.no_target = NO_TARGET_SILENT;
     begin(1);
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(0, INFINITY));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(60 * ms, 2));

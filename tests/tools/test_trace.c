@@ -1,4 +1,4 @@
-/* Under test: tools/drive/trace.c, the files that a run leaves. */
+/* Under test: tools/drive/show/trace.c, the files that a run leaves. */
 #include "trace.h"
 
 #include <cjson/cJSON.h>

@@ -216,21 +216,30 @@ static bool judge(const struct expectation *expectation, const struct outcome *o
     return holds;
 }
 
-/* A run is judged by `impact = none` and `resets = 0` even when its file does not say so. */
+static bool is_stated(const struct scenario *scenario, enum metric metric)
+{
+    for (int i = 0; i < scenario->expect_count; i++) {
+        if (scenario->expect[i].metric == metric) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* A run is judged by `impact = none` and `resets = 0` even when its file does not say so, where its
+ * world measures them. */
 static void add_understood(struct scenario *scenario)
 {
     static const struct expectation understood[] = {
         {.metric = METRIC_IMPACT, .op = '=', .text = "none"},
         {.metric = METRIC_RESETS, .op = '=', .text = "0", .limit = 0},
     };
+    struct outcome measured;
 
+    scenario_measures(scenario, &measured);
     for (size_t k = 0; k < sizeof understood / sizeof understood[0]; k++) {
-        bool stated = understood[k].metric == METRIC_IMPACT && scenario->world == WORLD_PARK;
-
-        for (int i = 0; i < scenario->expect_count; i++) {
-            stated |= scenario->expect[i].metric == understood[k].metric;
-        }
-        if (!stated && scenario->expect_count < EXPECT_MAX) {
+        if (!is_stated(scenario, understood[k].metric) &&
+            !isnan(measured.values[understood[k].metric]) && scenario->expect_count < EXPECT_MAX) {
             scenario->expect[scenario->expect_count++] = understood[k];
         }
     }
@@ -239,7 +248,7 @@ static void add_understood(struct scenario *scenario)
 static int report(const struct run *run, const struct scenario *scenario,
                   const struct arguments *arguments)
 {
-    const struct world_class *class = world_class((enum world_kind)scenario->world);
+    const struct world_class *class = scenario->world;
     int status = EXIT_FINE;
 
     if (!run->triggered) {
@@ -272,7 +281,7 @@ static int report(const struct run *run, const struct scenario *scenario,
 static int run_and_report(const struct run_setup *setup, struct scenario *scenario,
                           const struct arguments *arguments)
 {
-    const struct world_class *class = world_class((enum world_kind)scenario->world);
+    const struct world_class *class = scenario->world;
     struct trace trace;
     struct live live;
     struct run run;

@@ -12,6 +12,12 @@ build/boards.h: tools/drive/rules.mk tools/drive/boards.awk firmware/pins.mk fir
 	    awk -v pins="$(PINS)" -f tools/drive/boards.awk firmware/pins.mk $$board; \
 	done >$@.part; mv $@.part $@
 
+# The list of worlds: each file world/NAME_world.c is one.
+build/worlds.h: tools/drive/rules.mk $(wildcard tools/drive/world/*_world.c) tools/drive/world
+	@mkdir -p $(@D)
+	$(Q)printf 'WORLD(%s)\n' $(sort $(patsubst tools/drive/world/%_world.c,%,$(wildcard tools/drive/world/*_world.c))) >$@.part
+	$(Q)mv $@.part $@
+
 # The image that drive runs to see whether a simulator keeps time.
 tools: build/canary.ihx
 build/canary.ihx: tools/drive/sim/canary_image.c firmware/mcu/phase.h

@@ -372,12 +372,8 @@ static int run_once(struct loop *loop, bool *late)
 
     *late = false;
     telemetry_init(&run->telemetry);
+    outcome_clear(&run->outcome);
     run->outcome.uart = run->telemetry.log;
-    for (int metric = 0; metric < METRIC_COUNT; metric++) {
-        run->outcome.values[metric] = NAN;
-    }
-    run->outcome.values[METRIC_RESETS] = 0;
-    run->outcome.values[METRIC_RESET_BRAKE] = INFINITY;
     if (start_simulator(loop) != EXIT_FINE) {
         return EXIT_USAGE;
     }
@@ -413,7 +409,7 @@ int run_scenario(struct run *run, const struct run_setup *setup,
     do {
         struct loop loop = {.run = run,
                             .setup = setup,
-                            .class = world_class((enum world_kind)setup->scenario->world),
+                            .class = setup->scenario->world,
                             .observers = observers,
                             .observer_count = observer_count,
                             .guess = setup->guess && !late};

@@ -1,6 +1,8 @@
 #include "lab.h"
 
+#include "brake_world.h"
 #include "loop.h"
+#include "world.h"
 
 #include <math.h>
 
@@ -10,32 +12,16 @@ enum { STEP_US = 5000 };
 /* 8 m/s2, 50 ms dead time, 0.2 s lag; 1 cm of noise, 2 % of the readings missing, 5 m of sight. */
 static struct scenario situation(double speed_mps, double duration_s)
 {
-    struct scenario scenario = {.duration_s = duration_s, .hold_s = 0.5};
+    struct scenario scenario;
+    struct sensor *sensor = &brake_settings(&scenario)->sonar.sensor;
 
-    scenario.ego = (struct ego){.speed_mps = speed_mps,
-                                .brake_max_mps2 = 8,
-                                .brake_lag_s = 0.2,
-                                .brake_dead_s = 0.05,
-                                .rolling_mps2 = 0.15,
-                                .driver = DRIVER_HOLDS,
-                                .driver_mps = SCENARIO_UNSET,
-                                .driver_mps2 = 2};
-    scenario.lead = (struct lead){.present = true,
-                                  .appears_s = SCENARIO_UNSET,
-                                  .leaves_s = SCENARIO_UNSET,
-                                  .change_s = SCENARIO_UNSET};
-    scenario.sensor = (struct sensor){.noise_m = 0.01,
-                                      .dropout = 0.02,
-                                      .temp_c = 20,
-                                      .min_m = 0.02,
-                                      .max_m = 5,
-                                      .delay_us = 450,
-                                      .no_echo_us = 38000};
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
-        scenario.faults[i] = (struct fault){.kind = -1, .for_s = SCENARIO_UNSET, .scale = 1};
-    }
-    scenario.override.from_s = SCENARIO_UNSET;
-    scenario.uart.at_s = SCENARIO_UNSET;
+    scenario_defaults(&scenario, &brake_world);
+    scenario.duration_s = duration_s;
+    scenario.hold_s = 0.5;
+    scenario.ego.speed_mps = speed_mps;
+    scenario.lead.present = true;
+    sensor->noise_m = 0.01;
+    sensor->dropout = 0.02;
     return scenario;
 }
 
@@ -109,10 +95,10 @@ struct figures lab_stop_and_go(const struct image *image, double driver_mps2, in
         static const double from_s[] = {14, 20, 34, 40};
         static const double speed_mps[] = {0, 3, 3, 0};
 
-        scenario.lead.profile[i].t_s = i / 4 * 40 + from_s[i % 4];
-        scenario.lead.profile[i].speed_mps = speed_mps[i % 4];
+        scenario.lead.profile.points[i].t_s = i / 4 * 40 + from_s[i % 4];
+        scenario.lead.profile.points[i].speed_mps = speed_mps[i % 4];
     }
-    scenario.lead.points = 12;
+    scenario.lead.profile.count = 12;
     for (int run = 0; run < runs; run++) {
         add(&figures, image, &scenario, run, runs);
     }

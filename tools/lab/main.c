@@ -3,6 +3,7 @@
 #include "diag.h"
 #include "lab.h"
 #include "loop.h"
+#include "world.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -107,7 +108,7 @@ static int command_run(const struct image *image, const struct arguments *argume
                       arguments->setting_count) != EXIT_FINE) {
         return EXIT_INPUT;
     }
-    if (scenario.world != WORLD_BRAKE) {
+    if (scenario.world != &brake_world) {
         return diag_error(arguments->scenario, 0,
                           "app = %s; the laboratory has the brake's world alone, so use drive",
                           scenario.app);

@@ -15,20 +15,20 @@ static double stretch_m(double v0, double accel_mps2, double duration_s)
 
 static double profile_path_m(const struct lead *lead, double t_s, double *speed_mps)
 {
-    const struct point *point = lead->profile;
-    double path = 0, last_s = 0, last_mps = point[0].speed_mps;
+    const struct profile *profile = &lead->profile;
+    double path = 0, last_s = 0, last_mps = profile->points[0].speed_mps;
 
-    for (int i = 0; i < lead->points; i++) {
-        double length_s = point[i].t_s - last_s;
-        double accel = length_s > 0 ? (point[i].speed_mps - last_mps) / length_s : 0;
+    for (int i = 0; i < profile->count; i++) {
+        double point_s = profile->points[i].t_s, length_s = point_s - last_s;
+        double accel = length_s > 0 ? (profile->points[i].speed_mps - last_mps) / length_s : 0;
 
-        if (t_s < point[i].t_s) {
+        if (t_s < point_s) {
             *speed_mps = last_mps + accel * (t_s - last_s);
             return path + stretch_m(last_mps, accel, t_s - last_s);
         }
         path += stretch_m(last_mps, accel, length_s);
-        last_s = point[i].t_s;
-        last_mps = point[i].speed_mps;
+        last_s = point_s;
+        last_mps = profile->points[i].speed_mps;
     }
     *speed_mps = last_mps;
     return path + last_mps * (t_s - last_s);
@@ -38,7 +38,7 @@ double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps)
 {
     double accel = lead->change_mps2, duration_s;
 
-    if (lead->points > 0) {
+    if (lead->profile.count > 0) {
         return profile_path_m(lead, t_s, speed_mps);
     }
     *speed_mps = lead->speed_mps;
@@ -59,16 +59,16 @@ double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps)
            lead->change_to_mps * (t_s - lead->change_s - duration_s);
 }
 
-/* Where the lead's rear is at T_S, and how fast. */
-static double lead_x_m(const struct car *car, double t_s, double *speed_mps)
+/* Where the target's rear is at T_S, and how fast. */
+static double target_x_m(const struct target *target, double t_s, double *speed_mps)
 {
-    return car->lead_origin_m + car_lead_path_m(&car->lead, t_s, speed_mps);
+    return target->origin_m + car_lead_path_m(&target->lead, t_s, speed_mps);
 }
 
-static bool lead_is_there(const struct car *car, double t_s)
+static bool is_there(const struct lead *lead, double t_s)
 {
-    return car->lead.present && (car->lead.appears_s < 0 || t_s >= car->lead.appears_s) &&
-           (car->lead.leaves_s < 0 || t_s < car->lead.leaves_s);
+    return lead->present && (lead->appears_s < 0 || t_s >= lead->appears_s) &&
+           (lead->leaves_s < 0 || t_s < lead->leaves_s);
 }
 
 static double now_s(const struct car *car)
@@ -76,42 +76,97 @@ static double now_s(const struct car *car)
     return (double)car->now_ns * 1e-9;
 }
 
+/* A car in another lane is passed. */
+static bool is_in_the_way(const struct target *target)
+{
+    return target->there && fabs(target->lead.lane) < 0.5;
+}
+
+double car_target_gap_m(const struct car *car, int index)
+{
+    const struct target *target = &car->targets[index];
+    double speed_mps;
+
+    return target->there ? target_x_m(target, now_s(car), &speed_mps) - car->x_m : INFINITY;
+}
+
+double car_target_mps(const struct car *car, int index)
+{
+    double speed_mps;
+
+    target_x_m(&car->targets[index], now_s(car), &speed_mps);
+    return speed_mps;
+}
+
+int car_nearest(const struct car *car)
+{
+    int nearest = -1;
+
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        bool rather; /* than the nearest so far: what is in the way comes before what is not */
+
+        if (!car->targets[i].there) {
+            continue;
+        }
+        rather = nearest < 0;
+        if (!rather && is_in_the_way(&car->targets[i]) == is_in_the_way(&car->targets[nearest])) {
+            rather = car_target_gap_m(car, i) < car_target_gap_m(car, nearest);
+        } else if (!rather) {
+            rather = is_in_the_way(&car->targets[i]);
+        }
+        nearest = rather ? i : nearest;
+    }
+    return nearest;
+}
+
 double car_gap_m(const struct car *car)
 {
-    double speed;
+    int nearest = car_nearest(car);
 
-    return car->lead_there ? lead_x_m(car, now_s(car), &speed) - car->x_m : INFINITY;
+    return nearest < 0 ? INFINITY : car_target_gap_m(car, nearest);
 }
 
 double car_lead_mps(const struct car *car)
 {
-    double speed = 0;
+    int nearest = car_nearest(car);
 
-    if (car->lead_there) {
-        lead_x_m(car, now_s(car), &speed);
-    }
-    return speed;
+    return nearest < 0 ? 0 : car_target_mps(car, nearest);
 }
 
-/* A car in another lane is passed. */
-static bool is_in_the_way(const struct car *car)
+/* Where the rear of the nearest car in the way is at T_S, and how fast; INFINITY: nothing is. */
+static double obstacle_x_m(const struct car *car, double t_s, double *speed_mps)
 {
-    return car->lead_there && fabs(car->lead.lane) < 0.5;
+    double nearest_m = INFINITY, target_mps;
+
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        if (is_in_the_way(&car->targets[i])) {
+            double x_m = target_x_m(&car->targets[i], t_s, &target_mps);
+
+            if (x_m < nearest_m) {
+                nearest_m = x_m;
+                *speed_mps = target_mps;
+            }
+        }
+    }
+    return nearest_m;
 }
 
-/* It appears GAP_M ahead of the ego, wherever that is by then. */
-static void place_lead(struct car *car)
+/* A target appears its gap_m ahead of the ego, wherever that is by then. */
+static void place_targets(struct car *car)
 {
-    bool there = lead_is_there(car, now_s(car));
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        struct target *target = &car->targets[i];
 
-    if (there && !car->lead_placed) {
-        double speed;
+        target->there = is_there(&target->lead, now_s(car));
+        if (target->there && !target->placed) {
+            double speed_mps;
 
-        car->lead_placed = true;
-        car->lead_origin_m = 0;
-        car->lead_origin_m = car->x_m + car->lead.gap_m - lead_x_m(car, now_s(car), &speed);
+            target->placed = true;
+            target->origin_m = 0;
+            target->origin_m =
+                car->x_m + target->lead.gap_m - target_x_m(target, now_s(car), &speed_mps);
+        }
     }
-    car->lead_there = there;
 }
 
 /* --- the ego ------------------------------------------------------------------------------ */
@@ -197,21 +252,21 @@ static double accel_mps2(const struct car *car)
 
 static void note_impact(struct car *car, const struct motion *start, double start_s, double t_s)
 {
-    double low = 0, high = t_s, lead_mps;
+    double low = 0, high = t_s, lead_mps = 0;
     struct motion at;
 
     for (int i = 0; i < 60; i++) {
         double middle = 0.5 * (low + high);
 
         at = motion_after(car, start, middle);
-        if (lead_x_m(car, start_s + middle, &lead_mps) > at.x_m) {
+        if (obstacle_x_m(car, start_s + middle, &lead_mps) > at.x_m) {
             low = middle;
         } else {
             high = middle;
         }
     }
     at = motion_after(car, start, high);
-    lead_x_m(car, start_s + high, &lead_mps);
+    obstacle_x_m(car, start_s + high, &lead_mps);
     car->x_m = at.x_m;
     car->v_mps = at.v_mps;
     car->brake_mps2 = at.brake_mps2;
@@ -222,15 +277,22 @@ static void note_impact(struct car *car, const struct motion *start, double star
     car->record.min_gap_m = 0;
 }
 
+static void note_gap(struct car *car)
+{
+    int nearest = car_nearest(car);
+
+    if (nearest >= 0 && is_in_the_way(&car->targets[nearest])) {
+        car->record.min_gap_m = fmin(car->record.min_gap_m, car_target_gap_m(car, nearest));
+    }
+}
+
 static void note_step(struct car *car, const struct motion *end, double start_s, double t_s,
                       double accel_before_mps2)
 {
     struct car_record *record = &car->record;
     double gap = car_gap_m(car), lead_mps = car_lead_mps(car);
 
-    if (is_in_the_way(car)) {
-        record->min_gap_m = fmin(record->min_gap_m, gap);
-    }
+    note_gap(car);
     if (isfinite(end->rest_s)) {
         record->rest_s = start_s + end->rest_s;
         record->rest_gap_m = gap;
@@ -265,7 +327,7 @@ static void step(struct car *car, int64_t t_ns)
             fmax(car->record.peak_jerk_mps3, fabs(b1 - start.brake_mps2) / car->ego.brake_lag_s);
     }
     end = motion_after(car, &start, t_s);
-    if (is_in_the_way(car) && lead_x_m(car, start_s + t_s, &lead_mps) <= end.x_m) {
+    if (obstacle_x_m(car, start_s + t_s, &lead_mps) <= end.x_m) {
         note_impact(car, &start, start_s, t_s);
         return;
     }
@@ -273,7 +335,7 @@ static void step(struct car *car, int64_t t_ns)
     car->v_mps = end.v_mps;
     car->brake_mps2 = end.brake_mps2;
     car->now_ns = t_ns;
-    place_lead(car);
+    place_targets(car);
     note_step(car, &end, start_s, t_s, before_mps2);
 }
 
@@ -283,7 +345,8 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
 {
     memset(car, 0, sizeof *car);
     car->ego = scenario->ego;
-    car->lead = scenario->lead;
+    car->targets[0].lead = scenario->lead;
+    car->targets[1].lead = scenario->lead2;
     car->event_s = scenario->event_s;
     car->step_ns = step_ns;
     car->v_mps = car->ego.speed_mps;
@@ -296,20 +359,26 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
                                       .rest_gap_m = INFINITY,
                                       .first_rest_s = INFINITY,
                                       .still_s = INFINITY};
-    place_lead(car);
-    if (is_in_the_way(car)) {
-        car->record.min_gap_m = car_gap_m(car);
-    }
+    place_targets(car);
+    note_gap(car);
     if (car->v_mps <= 0) { /* at rest on its mark */
         car->record.rest_s = car->record.first_rest_s = 0, car->record.rest_gap_m = car_gap_m(car);
     }
 }
 
-/* End of the step that begins now: the grid, a demand that begins to act, the lead's coming. */
+/* MARK_S, if that comes before END_NS; else END_NS. */
+static int64_t sooner(const struct car *car, double mark_s, int64_t end_ns)
+{
+    int64_t mark_ns = (int64_t)llround(mark_s * 1e9);
+
+    return mark_s >= 0 && mark_ns > car->now_ns && mark_ns < end_ns ? mark_ns : end_ns;
+}
+
+/* End of the step that begins now: the grid, a demand that begins to act, a target that comes or
+ * goes. */
 static int64_t step_end_ns(const struct car *car, int64_t t_ns)
 {
     int64_t end = (car->now_ns / car->step_ns + 1) * car->step_ns;
-    const double marks_s[] = {car->lead.appears_s, car->lead.leaves_s};
 
     if (end > t_ns) {
         end = t_ns;
@@ -317,12 +386,9 @@ static int64_t step_end_ns(const struct car *car, int64_t t_ns)
     if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end) {
         end = car->demands[car->first_demand].at_ns;
     }
-    for (int i = 0; i < 2; i++) {
-        int64_t mark = (int64_t)llround(marks_s[i] * 1e9);
-
-        if (marks_s[i] >= 0 && mark > car->now_ns && mark < end) {
-            end = mark;
-        }
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        end = sooner(car, car->targets[i].lead.appears_s, end);
+        end = sooner(car, car->targets[i].lead.leaves_s, end);
     }
     return end;
 }

@@ -1,6 +1,6 @@
-/* The plant: a car with a brake on a lane, and the car ahead of it. Between two changes of the
- * brake's demand the motion is integrated in closed form, so neither the step nor the simulator's
- * quantum moves an outcome; only the driver model looks at the speed once a step. */
+/* The plant: a car with a brake on a lane, and up to two cars ahead of it. Between two changes of
+ * the brake's demand the motion is integrated in closed form, so neither the step nor the
+ * simulator's quantum moves an outcome; only the driver model looks at the speed once a step. */
 #ifndef FUZZY51_CAR_H
 #define FUZZY51_CAR_H
 
@@ -9,7 +9,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { CAR_DEMANDS = 256 };
+enum { CAR_DEMANDS = 256, CAR_TARGETS = 2 };
+
+/* A car ahead. */
+struct target {
+    struct lead lead;
+    double origin_m;    /* where its own path begins on the lane */
+    bool there, placed; /* there now; has been there */
+};
 
 /* What the run has come to so far. Times are seconds of the scenario, INFINITY until it happens. */
 struct car_record {
@@ -26,16 +33,14 @@ struct car_record {
 
 struct car {
     struct ego ego;
-    struct lead lead;
+    struct target targets[CAR_TARGETS];
     double event_s;
     int64_t now_ns, step_ns;
-    double x_m, v_mps;    /* the front of the ego car */
-    double brake_mps2;    /* deceleration of the brake now */
-    double accel_mps2;    /* of the car now */
-    double demand_pct;    /* at the pins now */
-    double acting_pct;    /* the demand of a dead time ago */
-    double lead_origin_m; /* where the lead's own path begins on the lane */
-    bool lead_there, lead_placed;
+    double x_m, v_mps; /* the front of the ego car */
+    double brake_mps2; /* deceleration of the brake now */
+    double accel_mps2; /* of the car now */
+    double demand_pct; /* at the pins now */
+    double acting_pct; /* the demand of a dead time ago */
     bool throttle_cut; /* the driver cannot accelerate */
     struct {
         int64_t at_ns;
@@ -57,13 +62,22 @@ void car_demand(struct car *car, int64_t t_ns, double percent);
 /* The driver's throttle is cut from T_NS on, or no longer; advances to there. */
 void car_cut(struct car *car, int64_t t_ns, bool cut);
 
-/* Gap to the car ahead, m; INFINITY when there is none. */
+/* Index of the nearest target that is there, those in the own way first; -1: none is there. */
+int car_nearest(const struct car *car);
+
+/* Gap to the target of that INDEX, m; INFINITY when it is not there. */
+double car_target_gap_m(const struct car *car, int index);
+
+/* Speed of the target of that INDEX, m/s. */
+double car_target_mps(const struct car *car, int index);
+
+/* Gap to the nearest target, m; INFINITY when there is none. */
 double car_gap_m(const struct car *car);
 
-/* Speed of the car ahead, m/s; 0 when there is none. */
+/* Speed of the nearest target, m/s; 0 when there is none. */
 double car_lead_mps(const struct car *car);
 
-/* Distance that the lead has covered after T_S seconds of its speed profile, and its speed then. */
+/* Distance that a lead has covered T_S seconds after the start, m, and its speed then. */
 double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps);
 
 #endif

@@ -19,6 +19,16 @@ void head_put_24(uint8_t *at, long value)
     head_put_16(at + 1, value);
 }
 
+long head_limited(double value, long low, long high)
+{
+    return value <= (double)low ? low : value >= (double)high ? high : lround(value);
+}
+
+double head_noisy(struct head *head, double value, double deviation)
+{
+    return value + deviation * random_normal(&head->noise);
+}
+
 /* CRC-16/CCITT-FALSE, bit by bit. */
 static unsigned crc16(unsigned crc, uint8_t byte)
 {
@@ -79,7 +89,7 @@ static const struct frame_fault *fault_now(struct head *head, int64_t t_ns)
     if (head->warm_left > 0) {
         return NULL;
     }
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+    for (int i = 0; i < HEAD_FAULTS; i++) {
         const struct frame_fault *fault = &head->faults[i];
 
         if (fault->kind < 0 || t_s < fault->from_s ||
@@ -177,16 +187,17 @@ static size_t spoil(struct head *head, enum frame_fault_kind kind, uint8_t *line
 
 /* --- outside ------------------------------------------------------------------------------ */
 
-void head_init(struct head *head, const struct scenario *scenario, uint64_t seed, int kind,
+void head_init(struct head *head, const struct head_settings *settings, uint64_t seed, int kind,
                int payload_bytes, head_spoil_fn *spoil_payload)
 {
     memset(head, 0, sizeof *head);
     head->kind = kind;
     head->payload_bytes = payload_bytes;
-    head->delay_ns = (int64_t)llround(scenario->head.delay_ms * 1e6);
-    head->warm_left = (int)scenario->head.warm_up;
-    memcpy(head->faults, scenario->frames, sizeof head->faults);
+    head->delay_ns = (int64_t)llround(settings->head.delay_ms * 1e6);
+    head->warm_left = (int)settings->head.warm_up;
+    memcpy(head->faults, settings->faults, sizeof head->faults);
     random_seed(&head->random, seed ^ 0x46524D45u);
+    random_seed(&head->noise, seed ^ 0x4E4F4953u);
     head->spoil = spoil_payload;
     head->due_ns = head->bad_ns = head->rise_ns = INT64_MAX;
 }

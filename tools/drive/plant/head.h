@@ -4,18 +4,57 @@
 #ifndef FUZZY51_HEAD_H
 #define FUZZY51_HEAD_H
 
+#include "keys.h"
 #include "random.h"
-#include "scenario.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 enum {
+    HEAD_FAULTS = SECTION_COPIES,
     HEAD_PAYLOAD_MAX = 14,
     HEAD_LINE_MAX = 48,
     HEAD_GRACE_NS = 25000000 /* from a frame's first byte to its effect at a pin, at most */
 };
+
+/* What may be wrong with the frames of a sensor head. */
+enum frame_fault_kind {
+    FRAME_SILENCE,  /* no answer */
+    FRAME_CORRUPT,  /* one to three bits are wrong */
+    FRAME_TRUNCATE, /* the end is missing */
+    FRAME_INSERT,   /* a byte too much */
+    FRAME_RESYNC,   /* the beginning is missing */
+    FRAME_REPEAT,   /* the last good frame again */
+    FRAME_RANGE,    /* a value that cannot be, with a right check sum */
+    FRAME_NOISE,    /* as many bytes, each of them random */
+};
+
+/* Section [frame], [frame2], ... */
+struct frame_fault {
+    int kind;             /* enum frame_fault_kind, or -1: no fault */
+    double from_s, for_s; /* unset for_s: to the end */
+    double share;         /* of the frames, at random */
+    double every, first;  /* or the first-th frame of that time and each every-th after it; unset
+                             every: by share */
+};
+
+struct head_settings {
+    struct {             /* section [head] */
+        double warm_up;  /* frames answered before t = 0, so that the link is up by then */
+        double delay_ms; /* from a trigger to the answer */
+    } head;
+    struct frame_fault faults[HEAD_FAULTS];
+};
+
+extern const struct section head_section, frame_section;
+
+/* For the section table of a world with a head: where its struct head_settings is. */
+#define HEAD_SECTIONS(type, member)                                                                \
+    {.section = &head_section, AT_SETTINGS(type, member.head)},                                    \
+    {                                                                                              \
+        .section = &frame_section, AT_SETTINGS(type, member.faults), .copies = HEAD_FAULTS         \
+    }
 
 /* Makes one value of the payload impossible, whichever RANDOM picks. */
 typedef void head_spoil_fn(struct random *random, uint8_t *payload);
@@ -34,9 +73,10 @@ struct head {
     int kind; /* of frame.h */
     int payload_bytes;
     int64_t delay_ns; /* from the trigger's end to the first byte */
-    struct frame_fault faults[SCENARIO_FAULTS];
-    int answers[SCENARIO_FAULTS]; /* in the fault's time so far */
+    struct frame_fault faults[HEAD_FAULTS];
+    int answers[HEAD_FAULTS]; /* in the fault's time so far */
     struct random random;
+    struct random noise; /* apart, so that noise does not change which frames are bad */
     head_spoil_fn *spoil;
     int64_t rise_ns; /* of the trigger; INT64_MAX: it has not risen yet */
     int warm_left;   /* frames still to be answered before the world starts */
@@ -48,8 +88,11 @@ struct head {
     int64_t bad_ns; /* the first of the bad answers in a row; INT64_MAX: the last one was good */
 };
 
-void head_init(struct head *head, const struct scenario *scenario, uint64_t seed, int kind,
+void head_init(struct head *head, const struct head_settings *settings, uint64_t seed, int kind,
                int payload_bytes, head_spoil_fn *spoil);
+
+/* VALUE with noise of that standard deviation. */
+double head_noisy(struct head *head, double value, double deviation);
 
 /* Whether the next trigger is to be the world's first: the link is up. */
 bool head_is_warm(const struct head *head);
@@ -77,6 +120,9 @@ int64_t head_blind_ns(const struct head *head);
 /* The bytes of one good frame: COUNT of them to LINE. */
 size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes,
                    uint8_t line[HEAD_LINE_MAX]);
+
+/* The whole number nearest to VALUE, in LOW..HIGH. */
+long head_limited(double value, long low, long high);
 
 /* Big-endian values into a payload. */
 void head_put_16(uint8_t *at, long value);

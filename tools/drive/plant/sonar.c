@@ -11,16 +11,16 @@ double sonar_sound_mps(double temp_c)
     return 343.2 * sqrt((temp_c + 273.15) / 293.15);
 }
 
-void sonar_init(struct sonar *sonar, const struct scenario *scenario, uint64_t seed)
+void sonar_init(struct sonar *sonar, const struct sonar_settings *settings, uint64_t seed)
 {
     memset(sonar, 0, sizeof *sonar);
-    sonar->sensor = scenario->sensor;
-    memcpy(sonar->faults, scenario->faults, sizeof sonar->faults);
+    sonar->sensor = settings->sensor;
+    memcpy(sonar->faults, settings->faults, sizeof sonar->faults);
     sonar->sound_mps = sonar_sound_mps(sonar->sensor.temp_c);
     random_seed(&sonar->random, seed);
     sonar->last_m = -1;
     sonar->answered_ns = INT64_MIN;
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+    for (int i = 0; i < SONAR_FAULTS; i++) {
         sonar->stuck_m[i] = sonar->faults[i].dist_m;
         sonar->glitches_left[i] = (int)sonar->faults[i].readings;
     }
@@ -99,7 +99,7 @@ static bool is_silenced(const struct sonar *sonar, double t_s, bool *level)
     bool silenced = false;
 
     *level = false;
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+    for (int i = 0; i < SONAR_FAULTS; i++) {
         if (is_off(&sonar->faults[i], t_s)) {
             silenced = true;
             *level |= sonar->faults[i].kind == FAULT_HIGH || sonar->faults[i].line == 1;
@@ -112,7 +112,7 @@ int64_t sonar_boundary_ns(const struct sonar *sonar, int64_t t_ns)
 {
     int64_t first = INT64_MAX;
 
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+    for (int i = 0; i < SONAR_FAULTS; i++) {
         const struct fault *fault = &sonar->faults[i];
         double t_s = (double)t_ns * 1e-9, cycle_s = fault->on_s + fault->off_s;
         double marks_s[4] = {fault->from_s, end_s(fault), INFINITY, INFINITY};
@@ -264,7 +264,7 @@ static double delay_s(const struct sonar *sonar, double t_s)
 {
     double delay = 0;
 
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+    for (int i = 0; i < SONAR_FAULTS; i++) {
         if (sonar->faults[i].kind == FAULT_DELAYED && is_active(&sonar->faults[i], t_s)) {
             delay += sonar->faults[i].delay_s;
         }
@@ -316,7 +316,7 @@ enum sonar_answer sonar_trigger(struct sonar *sonar, int64_t t_ns, int64_t width
     } else {
         reading = measure(sonar, gap_m * sonar->sound_mps / (sonar->sound_mps + closing_mps));
     }
-    for (int i = 0; i < SCENARIO_FAULTS; i++) {
+    for (int i = 0; i < SONAR_FAULTS; i++) {
         if (is_active(&sonar->faults[i], t_s)) {
             reading = spoil(sonar, i, reading, t_ns, garbage);
         }

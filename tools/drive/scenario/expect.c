@@ -7,11 +7,22 @@ static const struct {
     const char *name, *unit;
     int decimals;
     enum expect_kind kind;
+    const char *meaning;
 } metrics[METRIC_COUNT] = {
-#define EXPECT_ROW(id, name, unit, decimals, kind) {name, unit, decimals, kind},
+#define EXPECT_ROW(id, name, unit, decimals, kind, meaning) {name, unit, decimals, kind, meaning},
     EXPECT_METRICS(EXPECT_ROW)
 #undef EXPECT_ROW
 };
+
+void outcome_clear(struct outcome *outcome)
+{
+    *outcome = (struct outcome){.uart = ""};
+    for (enum metric metric = 0; metric < METRIC_COUNT; metric++) {
+        outcome->values[metric] = NAN;
+    }
+    outcome->values[METRIC_RESETS] = 0;
+    outcome->values[METRIC_RESET_BRAKE] = INFINITY;
+}
 
 const char *expect_name(enum metric metric)
 {
@@ -21,6 +32,11 @@ const char *expect_name(enum metric metric)
 const char *expect_unit(enum metric metric)
 {
     return metrics[metric].unit;
+}
+
+const char *expect_meaning(enum metric metric)
+{
+    return metrics[metric].meaning;
 }
 
 enum expect_kind expect_kind(enum metric metric)

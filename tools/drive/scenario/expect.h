@@ -5,60 +5,63 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* id, name, unit, decimals, kind. Times "within" count from the scenario's event_s. A number that
- * never came about is infinite: `stop_within_s <= 4` fails when the car never stops. */
-#define EXPECT_METRICS(METRIC)                                                                     \
-    METRIC(IMPACT, "impact", "", 0, KIND_TEXT)              /* none, or any */                     \
-    METRIC(IMPACT_MPS, "impact_mps", "m/s", 3, KIND_NUMBER) /* closing speed at contact */         \
-    METRIC(MIN_GAP, "min_gap_m", "m", 3, KIND_NUMBER)                                              \
-    METRIC(STOP_GAP, "stop_gap_m", "m", 3, KIND_NUMBER)       /* when it last came to rest */      \
-    METRIC(STOP_WITHIN, "stop_within_s", "s", 3, KIND_NUMBER) /* comes to rest */                  \
-    METRIC(FINAL_SPEED, "final_speed_mps", "m/s", 3, KIND_NUMBER)                                  \
-    METRIC(PEAK_DECEL, "peak_decel_mps2", "m/s2", 2, KIND_NUMBER)                                  \
-    METRIC(PEAK_JERK, "peak_jerk_mps3", "m/s3", 1, KIND_NUMBER)                                    \
-    METRIC(RMS_ACCEL, "rms_accel_mps2", "m/s2", 2, KIND_NUMBER)                                    \
-    METRIC(STUCK, "stuck_s", "s", 2, KIND_NUMBER)           /* stands while the lead moves */      \
-    METRIC(MAX_BRAKE, "max_brake_pct", "%", 1, KIND_NUMBER) /* as the pins demand it */            \
-    METRIC(MIN_BRAKE, "min_brake_pct", "%", 1, KIND_NUMBER) /* from event_s on */                  \
-    METRIC(FINAL_BRAKE, "final_brake_pct", "%", 1, KIND_NUMBER)                                    \
-    METRIC(FULL_BRAKE_WITHIN, "full_brake_within_s", "s", 3, KIND_NUMBER)                          \
-    METRIC(BLIND_FALL, "blind_brake_fall_pct", "%", 1, KIND_NUMBER) /* while readings miss */      \
-    METRIC(BLIND_RISE, "blind_brake_rise_pct", "%", 1, KIND_NUMBER) /* the same upwards */         \
-    METRIC(DUTY_STEPS, "duty_steps_per_s", "1/s", 2, KIND_NUMBER)   /* of more than 2 points */    \
-    METRIC(STOP_TOGGLES, "stop_toggles", "", 0, KIND_COUNT)         /* changes of the stop line */ \
-    METRIC(STOP_ON, "stop_on_s", "s", 3, KIND_NUMBER)               /* stop line high, in all */   \
-    METRIC(RELEASE_WITHIN, "release_within_s", "s", 3, KIND_NUMBER) /* stop line low for good */   \
-    METRIC(FAULT_WITHIN, "fault_within_s", "s", 3, KIND_NUMBER)     /* FAULT reported */           \
-    METRIC(ALARM_WITHIN, "alarm_within_s", "s", 3, KIND_NUMBER)     /* buzzer goes on */           \
-    METRIC(WARNING_LEAD, "warning_lead_s", "s", 3, KIND_NUMBER)     /* before hard braking */      \
-    METRIC(WARNINGS, "warnings", "", 0, KIND_COUNT)                 /* lamp or buzzer goes on */   \
-    METRIC(RESETS, "resets", "", 0, KIND_COUNT)                     /* by the watchdog */          \
-    METRIC(RESET_BRAKE, "reset_brake_pct", "%", 1, KIND_NUMBER)     /* lowest after a reset */     \
-    METRIC(BRAKE_GAP, "brake_gap_m", "m", 2, KIND_NUMBER)           /* when it first brakes */     \
-    METRIC(RELEASE_GAP, "release_gap_m", "m", 2, KIND_NUMBER)       /* when it lets go again */    \
-    METRIC(RELEASE_KMH, "release_kmh", "km/h", 2, KIND_NUMBER)      /* the own speed then */       \
-    METRIC(PARKED, "parked", "", 0, KIND_TEXT)              /* yes: within 0.4 m and 2 degrees */  \
-    METRIC(END_X, "end_x_m", "m", 3, KIND_NUMBER)           /* beside the place, at Y = 0 */       \
-    METRIC(END_TURN, "end_turn_deg", "deg", 2, KIND_NUMBER) /* off the place's direction */        \
-    METRIC(ARRIVES_WITHIN, "arrives_within_s", "s", 3, KIND_NUMBER) /* at Y = 0 */                 \
-    METRIC(BLIND_STEER, "blind_steer_deg", "deg", 2, KIND_NUMBER)   /* change on bad frames */     \
-    METRIC(FINAL_GAP, "final_gap_m", "m", 3, KIND_NUMBER)                                          \
-    METRIC(EVENT_ACCEL, "event_accel_mps2", "m/s2", 2, KIND_NUMBER) /* at event_s */               \
-    METRIC(PEAK_DECEL_AT, "peak_decel_at_s", "s", 2, KIND_NUMBER)                                  \
-    METRIC(DECEL_AGAIN, "decel_again_mps2", "m/s2", 2, KIND_NUMBER) /* its growth after that */    \
-    METRIC(TOP_SPEED, "top_speed_mps", "m/s", 2, KIND_NUMBER)                                      \
-    METRIC(CLOSING_PEAK_AT, "closing_peak_at_s", "s", 2, KIND_NUMBER) /* fastest approach */       \
-    METRIC(ASKS_LANE_AT, "asks_lane_at_s", "s", 2, KIND_NUMBER)       /* for the first time */     \
-    METRIC(CHANGES_LANE_AT, "changes_lane_at_s", "s", 2, KIND_NUMBER)                              \
-    METRIC(BLIND_ASKS, "blind_asks", "", 0, KIND_COUNT) /* for a lane, on bad frames */            \
-    METRIC(FINAL_STATE, "final_state", "", 0, KIND_TEXT)                                           \
-    METRIC(REACHED, "reached", "", 0, KIND_LIST)       /* states that must occur */                \
-    METRIC(NEVER, "never", "", 0, KIND_LIST)           /* states that must not */                  \
-    METRIC(UART_SAYS, "uart_says", "", 0, KIND_PHRASE) /* text on the serial line */
+/* id, name, unit, decimals, kind, meaning. Times "within" count from the scenario's event_s. A
+ * number that never came about is infinite: `stop_within_s <= 4` fails when the car never stops. */
+/* clang-format off */
+#define EXPECT_METRICS(METRIC) \
+    METRIC(IMPACT, "impact", "", 0, KIND_CHOICE, "none or any: whether the car touches the one ahead") \
+    METRIC(IMPACT_MPS, "impact_mps", "m/s", 3, KIND_NUMBER, "closing speed at contact; 0 without one") \
+    METRIC(MIN_GAP, "min_gap_m", "m", 3, KIND_NUMBER, "smallest gap") \
+    METRIC(STOP_GAP, "stop_gap_m", "m", 3, KIND_NUMBER, "gap where it last came to rest") \
+    METRIC(STOP_WITHIN, "stop_within_s", "s", 3, KIND_NUMBER, "comes to rest") \
+    METRIC(FINAL_SPEED, "final_speed_mps", "m/s", 3, KIND_NUMBER, "speed at the end") \
+    METRIC(PEAK_DECEL, "peak_decel_mps2", "m/s2", 2, KIND_NUMBER, "strongest deceleration") \
+    METRIC(PEAK_JERK, "peak_jerk_mps3", "m/s3", 1, KIND_NUMBER, "fastest change of the deceleration") \
+    METRIC(RMS_ACCEL, "rms_accel_mps2", "m/s2", 2, KIND_NUMBER, "root mean square of the acceleration") \
+    METRIC(STUCK, "stuck_s", "s", 2, KIND_NUMBER, "time at rest while the car ahead moves") \
+    METRIC(MAX_BRAKE, "max_brake_pct", "%", 1, KIND_NUMBER, "most brake that the pins demand") \
+    METRIC(MIN_BRAKE, "min_brake_pct", "%", 1, KIND_NUMBER, "least brake from event_s on") \
+    METRIC(FINAL_BRAKE, "final_brake_pct", "%", 1, KIND_NUMBER, "brake at the end") \
+    METRIC(FULL_BRAKE_WITHIN, "full_brake_within_s", "s", 3, KIND_NUMBER, "100 % brake is demanded") \
+    METRIC(BLIND_FALL, "blind_brake_fall_pct", "%", 1, KIND_NUMBER, "largest fall of the brake while readings are missing") \
+    METRIC(BLIND_RISE, "blind_brake_rise_pct", "%", 1, KIND_NUMBER, "largest rise of the brake while readings are missing") \
+    METRIC(DUTY_STEPS, "duty_steps_per_s", "1/s", 2, KIND_NUMBER, "changes of the brake by more than 2 points, per second") \
+    METRIC(STOP_TOGGLES, "stop_toggles", "", 0, KIND_COUNT, "changes of the STOP pin") \
+    METRIC(STOP_ON, "stop_on_s", "s", 3, KIND_NUMBER, "time with the STOP pin high, in all") \
+    METRIC(RELEASE_WITHIN, "release_within_s", "s", 3, KIND_NUMBER, "the STOP pin goes low for good") \
+    METRIC(FAULT_WITHIN, "fault_within_s", "s", 3, KIND_NUMBER, "the state FAULT is reported") \
+    METRIC(ALARM_WITHIN, "alarm_within_s", "s", 3, KIND_NUMBER, "the buzzer goes on") \
+    METRIC(WARNING_LEAD, "warning_lead_s", "s", 3, KIND_NUMBER, "time from the first warning to hard braking (5 m/s2)") \
+    METRIC(WARNINGS, "warnings", "", 0, KIND_COUNT, "how often lamp or buzzer go on") \
+    METRIC(RESETS, "resets", "", 0, KIND_COUNT, "resets by the watchdog") \
+    METRIC(RESET_BRAKE, "reset_brake_pct", "%", 1, KIND_NUMBER, "least brake after a reset") \
+    METRIC(BRAKE_GAP, "brake_gap_m", "m", 2, KIND_NUMBER, "gap when it first brakes") \
+    METRIC(RELEASE_GAP, "release_gap_m", "m", 2, KIND_NUMBER, "gap when it releases the brake again") \
+    METRIC(RELEASE_KMH, "release_kmh", "km/h", 2, KIND_NUMBER, "own speed when it releases the brake again") \
+    METRIC(PARKED, "parked", "", 0, KIND_CHOICE, "yes or no: at Y = 0, within 0.4 m and 2 degrees of the place") \
+    METRIC(END_X, "end_x_m", "m", 3, KIND_NUMBER, "distance beside the place, at Y = 0") \
+    METRIC(END_TURN, "end_turn_deg", "deg", 2, KIND_NUMBER, "angle to the direction of the place, at Y = 0") \
+    METRIC(ARRIVES_WITHIN, "arrives_within_s", "s", 3, KIND_NUMBER, "comes to Y = 0") \
+    METRIC(BLIND_STEER, "blind_steer_deg", "deg", 2, KIND_NUMBER, "largest change of the steering while frames are bad") \
+    METRIC(FINAL_GAP, "final_gap_m", "m", 3, KIND_NUMBER, "gap at the end") \
+    METRIC(EVENT_ACCEL, "event_accel_mps2", "m/s2", 2, KIND_NUMBER, "acceleration at event_s") \
+    METRIC(PEAK_DECEL_AT, "peak_decel_at_s", "s", 2, KIND_NUMBER, "when it brakes hardest") \
+    METRIC(DECEL_AGAIN, "decel_again_mps2", "m/s2", 2, KIND_NUMBER, "how far the deceleration grows again after that") \
+    METRIC(TOP_SPEED, "top_speed_mps", "m/s", 2, KIND_NUMBER, "highest speed") \
+    METRIC(CLOSING_PEAK_AT, "closing_peak_at_s", "s", 2, KIND_NUMBER, "when the gap closes fastest") \
+    METRIC(ASKS_LANE_AT, "asks_lane_at_s", "s", 2, KIND_NUMBER, "when it first asks for the other lane") \
+    METRIC(CHANGES_LANE_AT, "changes_lane_at_s", "s", 2, KIND_NUMBER, "when it changes lanes") \
+    METRIC(BLIND_ASKS, "blind_asks", "", 0, KIND_COUNT, "how often it asks for a lane while frames are bad") \
+    METRIC(FINAL_STATE, "final_state", "", 0, KIND_TEXT, "state that was reported last") \
+    METRIC(REACHED, "reached", "", 0, KIND_LIST, "states that must be reported, separated by commas") \
+    METRIC(NEVER, "never", "", 0, KIND_LIST, "states that must not be reported") \
+    METRIC(UART_SAYS, "uart_says", "", 0, KIND_PHRASE, "text that the controller must send")
+/* clang-format on */
 
-enum expect_kind { KIND_NUMBER, KIND_COUNT, KIND_TEXT, KIND_LIST, KIND_PHRASE };
+/* Numbers, counts and choices are measured by the world, the others read off the serial line. */
+enum expect_kind { KIND_NUMBER, KIND_COUNT, KIND_CHOICE, KIND_TEXT, KIND_LIST, KIND_PHRASE };
 
-#define EXPECT_ID(id, name, unit, decimals, kind) METRIC_##id,
+#define EXPECT_ID(id, name, unit, decimals, kind, meaning) METRIC_##id,
 enum metric { EXPECT_METRICS(EXPECT_ID) METRIC_COUNT };
 #undef EXPECT_ID
 
@@ -74,15 +77,19 @@ struct expectation {
 
 /* What a run came to. */
 struct outcome {
-    double values[METRIC_COUNT]; /* of the numbers and counts; NAN: not measured in this world */
+    double values[METRIC_COUNT]; /* NAN: not measured in this world, or a text */
     double rest_s;               /* when the car last came to rest; INFINITY: it did not */
     char final_state[16];
     char states[EXPECT_VALUE]; /* all that occurred, each followed by a blank */
     const char *uart;          /* all that the controller said */
 };
 
+/* Nothing is measured yet, but that the controller was not reset. */
+void outcome_clear(struct outcome *outcome);
+
 const char *expect_name(enum metric metric);
 const char *expect_unit(enum metric metric);
+const char *expect_meaning(enum metric metric);
 enum expect_kind expect_kind(enum metric metric);
 
 /* The metric of that name, or METRIC_COUNT. */

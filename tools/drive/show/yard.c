@@ -8,15 +8,15 @@ enum { BELOW_ROWS = 2 }; /* room below Y = 0 */
 static const double degree = M_PI / 180, margin = 1.25;
 static const double place_m = 2; /* wide; as long as the car */
 
-void yard_init(struct yard *yard, const struct parking *parking, int width)
+void yard_init(struct yard *yard, double x_m, double y_m, double length_m, int width)
 {
-    double high_m = margin * (parking->y_m + parking->length_m) / (YARD_ROWS - BELOW_ROWS);
-    double wide_m = 4 * (margin * fabs(parking->x_m) + parking->length_m) / width;
+    double high_m = margin * (y_m + length_m) / (YARD_ROWS - BELOW_ROWS);
+    double wide_m = 4 * (margin * fabs(x_m) + length_m) / width;
 
     memset(yard->trail, ' ', sizeof yard->trail);
     yard->width = width;
     yard->row_m = fmax(high_m, wide_m);
-    yard->length_m = parking->length_m;
+    yard->length_m = length_m;
 }
 
 /* The character of PICTURE at a place, or NULL: outside. */

@@ -3,8 +3,6 @@
 #ifndef FUZZY51_YARD_H
 #define FUZZY51_YARD_H
 
-#include "scenario.h"
-
 #include <stdio.h>
 
 enum { YARD_ROWS = 18, YARD_WIDTH_MAX = 100 };
@@ -16,9 +14,9 @@ struct yard {
     double length_m; /* of the car, between its axles */
 };
 
-/* An empty yard, WIDTH characters wide (YARD_WIDTH_MAX at most), with room for PARKING's start and
- * place. */
-void yard_init(struct yard *yard, const struct parking *parking, int width);
+/* An empty yard, WIDTH characters wide (YARD_WIDTH_MAX at most), with room for the place and for a
+ * car of LENGTH_M between its axles that starts at X_M, Y_M. */
+void yard_init(struct yard *yard, double x_m, double y_m, double length_m, int width);
 
 /* The car's rear axle is at X_M, Y_M: draws YARD_ROWS lines. */
 void yard_draw(struct yard *yard, double x_m, double y_m, double heading_deg, double steer_deg,

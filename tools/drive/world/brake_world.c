@@ -1,7 +1,8 @@
-/* The brake controller's world: two cars on a lane, an ultrasonic sensor, a brake that follows the
- * PWM and the stop line, a lamp and a buzzer. */
+/* The brake controller's world: a car behind one or two others, an ultrasonic sensor, a brake that
+ * follows the PWM and the STOP pin, a lamp and a buzzer. */
+#include "brake_world.h"
+
 #include "base.h"
-#include "sonar.h"
 
 #include <math.h>
 
@@ -9,6 +10,7 @@ struct world {
     struct base base;
     struct rig rig;
     struct sonar sonar;
+    struct random missed; /* decides which targets give no echo */
     int64_t now_ns;
     int64_t trigger_rise_ns;
     int64_t mark_ns; /* the next boundary of a fault */
@@ -21,7 +23,89 @@ struct world {
 static const struct world_column columns[] = {RIG_COLUMN_NAMES};
 static const char *const reported[] = {"dist_mm", "closing_mmps"};
 
+#define AT(member)                                                                                 \
+    offsetof(struct brake_settings, override.member) - offsetof(struct brake_settings, override)
+static const struct key override_keys[] = {
+    {.name = "from_s",
+     .meaning = "when the driver presses it",
+     .at = AT(from_s),
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .required = true},
+    {.name = "for_s",
+     .meaning = "how long the driver holds it",
+     .at = AT(for_s),
+     .low = 0.001,
+     .high = 3600,
+     .required = true},
+};
+#undef AT
+
+static const struct section override_section = {
+    .name = "override",
+    .meaning = "the driver's override input",
+    SECTION_KEYS(override_keys),
+    .size = sizeof(((struct brake_settings *)NULL)->override)};
+
+static const struct section_use sections[] = {
+    {.section = &scenario_section, .required = true},
+    {.section = &ego_section, AT_SCENARIO(ego), .required = true},
+    {.section = &lead_section, AT_SCENARIO(lead), .copies = CAR_TARGETS},
+    {.section = &sensor_section, AT_SETTINGS(struct brake_settings, sonar.sensor)},
+    {.section = &fault_section,
+     AT_SETTINGS(struct brake_settings, sonar.faults),
+     .copies = SONAR_FAULTS},
+    {.section = &override_section, AT_SETTINGS(struct brake_settings, override)},
+    {.section = &uart_section, AT_SCENARIO(uart)},
+};
+WORLD_SETTINGS_FIT(struct brake_settings);
+
+struct brake_settings *brake_settings(struct scenario *scenario)
+{
+    return (void *)scenario->settings;
+}
+
 /* --- time --------------------------------------------------------------------------------- */
+
+/* The target whose echo comes first: the nearest one that is not missed; what is nearer than the
+ * sensor can see counts only when there is nothing else. -1: there is none. */
+static int heard_target(const struct world *world, const bool is_missed[CAR_TARGETS])
+{
+    int heard = -1;
+    double heard_m = INFINITY;
+
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        double gap_m = car_target_gap_m(&world->rig.car, i);
+        bool rather = heard_m < world->sonar.sensor.min_m ? gap_m > heard_m : gap_m < heard_m;
+
+        if (world->rig.car.targets[i].there && !is_missed[i] && (heard < 0 || rather)) {
+            heard = i;
+            heard_m = gap_m;
+        }
+    }
+    return heard;
+}
+
+static double gap_to_m(const struct world *world, int target)
+{
+    return target < 0 ? INFINITY : car_target_gap_m(&world->rig.car, target);
+}
+
+static bool is_anything_in_range(const struct world *world)
+{
+    static const bool none_missed[CAR_TARGETS] = {false};
+    double gap_m = gap_to_m(world, heard_target(world, none_missed));
+
+    return gap_m >= world->sonar.sensor.min_m && gap_m <= world->sonar.sensor.max_m;
+}
+
+/* The true distances of the past, for a sensor whose readings are old. */
+static void observe(struct world *world, int64_t t_ns)
+{
+    static const bool none_missed[CAR_TARGETS] = {false};
+
+    sonar_observe(&world->sonar, t_ns, gap_to_m(world, heard_target(world, none_missed)));
+}
 
 static void advance(struct world *world, int64_t t_ns)
 {
@@ -41,7 +125,7 @@ static void advance(struct world *world, int64_t t_ns)
             world->mark_ns = sonar_boundary_ns(&world->sonar, next);
         }
         if (next == row_ns) {
-            sonar_observe(&world->sonar, next, car_gap_m(&world->rig.car));
+            observe(world, next);
         }
     }
 }
@@ -66,12 +150,24 @@ static int64_t mark_ns(const struct world *world)
 static void trigger_ends(struct world *world)
 {
     const struct car *car = &world->rig.car;
-    double gap = car_gap_m(car);
-    double closing = isinf(gap) ? 0 : car->v_mps - car_lead_mps(car);
-    enum sonar_answer answer = sonar_trigger(&world->sonar, world->now_ns,
-                                             world->now_ns - world->trigger_rise_ns, gap, closing);
+    bool is_missed[CAR_TARGETS];
+    double closing_mps = 0;
+    enum sonar_answer answer;
+    int heard;
 
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        is_missed[i] = random_uniform(&world->missed) < car->targets[i].lead.missed;
+    }
+    heard = heard_target(world, is_missed);
+    if (heard >= 0) {
+        closing_mps = car->v_mps - car_target_mps(car, heard);
+    }
+    answer = sonar_trigger(&world->sonar, world->now_ns, world->now_ns - world->trigger_rise_ns,
+                           gap_to_m(world, heard), closing_mps);
     pace_note(&world->base.pace, world->now_ns);
+    if (answer == SONAR_NONE && is_anything_in_range(world)) {
+        answer = SONAR_MISSING; /* there is a target, but it gave no echo */
+    }
     if (answer == SONAR_MISSING) {
         rig_blind(&world->rig, true);
     } else if (answer == SONAR_TARGET || answer == SONAR_NONE) {
@@ -121,15 +217,17 @@ static int64_t not_too_early(int64_t t_ns)
 
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
+    const struct brake_settings *settings = (const void *)scenario->settings;
     struct world *world = base_create(sizeof *world);
 
     world->base = (struct base){.rig = &world->rig};
     rig_init(&world->rig, scenario, step_ns);
-    sonar_init(&world->sonar, scenario, seed);
-    world->override.next = scenario->override.from_s >= 0 ? 0 : 2;
-    world->override.at_ns[0] = not_too_early((int64_t)llround(scenario->override.from_s * 1e9));
+    sonar_init(&world->sonar, &settings->sonar, seed);
+    random_seed(&world->missed, seed ^ 0x4D495353u);
+    world->override.next = settings->override.from_s >= 0 ? 0 : 2;
+    world->override.at_ns[0] = not_too_early((int64_t)llround(settings->override.from_s * 1e9));
     world->override.at_ns[1] =
-        (int64_t)llround((scenario->override.from_s + scenario->override.for_s) * 1e9);
+        (int64_t)llround((settings->override.from_s + settings->override.for_s) * 1e9);
     return world;
 }
 
@@ -142,7 +240,7 @@ static void destroy(struct world *world)
 static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
     rig_start(&world->rig, levels);
-    sonar_observe(&world->sonar, 0, car_gap_m(&world->rig.car));
+    observe(world, 0);
     world->mark_ns = not_too_early(sonar_boundary_ns(&world->sonar, -1));
 }
 
@@ -152,6 +250,9 @@ static void values(const struct world *world, double row[WORLD_COLUMNS])
 }
 
 const struct world_class brake_world = {
+    .name = "brake",
+    .meaning = "brakes behind what an ultrasonic sensor sees",
+    WORLD_SECTIONS(sections),
     BASE_TRACE(columns, reported),
     .create = create,
     .destroy = destroy,

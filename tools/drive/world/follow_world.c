@@ -14,10 +14,73 @@
 /* The frames of firmware/frames/frame.h and follow.h: lengths in mm, speeds in mm/s. */
 enum { KIND = 3, PAYLOAD_BYTES = 7, GAP_MAX_MM = 20000, SPEED_MAX_MMPS = 2500 };
 
+struct follow_settings {
+    struct {
+        double lead_mps; /* of the robot in the other lane; unset: that lane is taken */
+    } lane;
+    struct {
+        double gap_m, own_mps, lead_mps; /* standard deviations */
+    } noise;
+    struct head_settings head;
+};
+
+#define AT(member)                                                                                 \
+    offsetof(struct follow_settings, lane.member) - offsetof(struct follow_settings, lane)
+static const struct key lane_keys[] = {
+    {.name = "lead_mps",
+     .meaning = "speed of the robot in the other lane",
+     .at = AT(lead_mps),
+     .high = 2,
+     .initial = SCENARIO_UNSET,
+     .unset = "the lane is taken",
+     .required = true},
+};
+#undef AT
+
+static const struct section lane_section = {.name = "lane",
+                                            .meaning = "the other lane, if it is free",
+                                            SECTION_KEYS(lane_keys),
+                                            .size = sizeof(((struct follow_settings *)NULL)->lane)};
+
+#define AT(member)                                                                                 \
+    offsetof(struct follow_settings, noise.member) - offsetof(struct follow_settings, noise)
+static const struct key noise_keys[] = {
+    {.name = "gap_m", .meaning = "standard deviation of the gap", .at = AT(gap_m), .high = 10},
+    {.name = "own_mps",
+     .meaning = "standard deviation of the own speed",
+     .at = AT(own_mps),
+     .high = 2},
+    {.name = "lead_mps",
+     .meaning = "standard deviation of the speed of the robot ahead",
+     .at = AT(lead_mps),
+     .high = 2},
+};
+#undef AT
+
+static const struct section noise_section = {.name = "noise",
+                                             .meaning = "noise of what the head measures",
+                                             SECTION_KEYS(noise_keys),
+                                             .size =
+                                                 sizeof(((struct follow_settings *)NULL)->noise)};
+
+static const struct section_use sections[] = {
+    {.section = &scenario_section, .required = true},
+    {.section = &ego_section, AT_SCENARIO(ego), .required = true, .only = "speed_mps"},
+    {.section = &lead_section,
+     AT_SCENARIO(lead),
+     .required = true,
+     .only = "gap_m speed_mps change_s change_mps2 change_to_mps profile"},
+    {.section = &lane_section, AT_SETTINGS(struct follow_settings, lane)},
+    {.section = &noise_section, AT_SETTINGS(struct follow_settings, noise)},
+    HEAD_SECTIONS(struct follow_settings, head),
+};
+WORLD_SETTINGS_FIT(struct follow_settings);
+
 struct world {
     struct base base;
     struct robots robots;
     struct lead lead;
+    struct follow_settings settings;
     struct head head;
     struct pwm pwm;
     struct servo servo;
@@ -134,19 +197,27 @@ static void step(struct world *world)
     }
 }
 
+/* A length in mm or a speed in mm/s with noise of that deviation in m or m/s. */
+static long measured(struct world *world, int value, double deviation, long high)
+{
+    return head_limited(head_noisy(&world->head, value, deviation * 1000), 0, high);
+}
+
 /* A trigger ends the step before it and finds what that came to. */
 static void sense(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
-    int gap_mm;
+    const struct follow_settings *settings = &world->settings;
 
     if (world->stepping) {
         step(world);
     }
     world->stepping = world->started;
-    gap_mm = robots_gap_mm(&world->robots);
-    head_put_16(payload, gap_mm < GAP_MAX_MM ? gap_mm : GAP_MAX_MM);
-    head_put_16(payload + 2, world->robots.own_mmps);
-    head_put_16(payload + 4, world->robots.lead_mmps);
+    head_put_16(payload,
+                measured(world, robots_gap_mm(&world->robots), settings->noise.gap_m, GAP_MAX_MM));
+    head_put_16(payload + 2,
+                measured(world, world->robots.own_mmps, settings->noise.own_mps, SPEED_MAX_MMPS));
+    head_put_16(payload + 4,
+                measured(world, world->robots.lead_mmps, settings->noise.lead_mps, SPEED_MAX_MMPS));
     payload[6] = !world->robots.lane_is_free;
 }
 
@@ -213,17 +284,18 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     struct world *world = base_create(sizeof *world);
 
     (void)step_ns;
+    memcpy(&world->settings, scenario->settings, sizeof world->settings);
     world->base = (struct base){.head = &world->head, .sense = sense};
     world->lead = scenario->lead;
     world->robots = (struct robots){
         .gap_um = (int32_t)lround(scenario->lead.gap_m * 1e6),
         .own_mmps = (int)lround(scenario->ego.speed_mps * 1000),
-        .lane_is_free = scenario->lane.lead_mps >= 0,
-        .new_lead_mmps = (int)lround(fmax(scenario->lane.lead_mps, 0) * 1000),
+        .lane_is_free = world->settings.lane.lead_mps >= 0,
+        .new_lead_mmps = (int)lround(fmax(world->settings.lane.lead_mps, 0) * 1000),
     };
     robots_start(&world->robots);
     set_lead(world);
-    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    head_init(&world->head, &world->settings.head, seed, KIND, PAYLOAD_BYTES, spoil);
     world->event_s = scenario->event_s;
     world->event_ns = (int64_t)llround(scenario->event_s * 1e9);
     world->hold_s = scenario->hold_s;
@@ -316,6 +388,9 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
 }
 
 const struct world_class follow_world = {
+    .name = "follow",
+    .meaning = "follows a robot and changes lanes",
+    WORLD_SECTIONS(sections),
     BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,

@@ -4,13 +4,62 @@
 #include "servo.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The frames of firmware/frames/frame.h and gap.h: lengths in cm, speeds in cm/s. */
-enum { KIND = 2, PAYLOAD_BYTES = 8, GAP_MAX = 25000, SPEED_MAX = 5000, ACCEL_MAX = 1500 };
+enum {
+    KIND = 2,
+    PAYLOAD_BYTES = 8,
+    GAP_MAX_CM = 25000,
+    SPEED_MAX_CMPS = 5000,
+    ACCEL_MAX_CMPS2 = 1500
+};
 
 static const double slope_s = 0.001; /* over which the head takes the lead's acceleration */
 
 enum { SHAPE_NS = 10000000 };
+
+struct gap_settings {
+    struct {
+        double gap_m, own_mps, lead_mps, lead_mps2; /* standard deviations */
+    } noise;
+    struct head_settings head;
+};
+
+#define AT(member)                                                                                 \
+    offsetof(struct gap_settings, noise.member) - offsetof(struct gap_settings, noise)
+static const struct key noise_keys[] = {
+    {.name = "gap_m", .meaning = "standard deviation of the gap", .at = AT(gap_m), .high = 10},
+    {.name = "own_mps",
+     .meaning = "standard deviation of the own speed",
+     .at = AT(own_mps),
+     .high = 5},
+    {.name = "lead_mps",
+     .meaning = "standard deviation of the speed of the car ahead",
+     .at = AT(lead_mps),
+     .high = 5},
+    {.name = "lead_mps2",
+     .meaning = "standard deviation of the acceleration of the car ahead",
+     .at = AT(lead_mps2),
+     .high = 5},
+};
+#undef AT
+
+static const struct section noise_section = {.name = "noise",
+                                             .meaning = "noise of what the head measures",
+                                             SECTION_KEYS(noise_keys),
+                                             .size = sizeof(((struct gap_settings *)NULL)->noise)};
+
+static const struct section_use sections[] = {
+    {.section = &scenario_section, .required = true},
+    {.section = &ego_section, AT_SCENARIO(ego), .required = true},
+    {.section = &lead_section,
+     AT_SCENARIO(lead),
+     .only = "gap_m speed_mps lane change_s change_mps2 change_to_mps profile appears_s leaves_s"},
+    {.section = &noise_section, AT_SETTINGS(struct gap_settings, noise)},
+    HEAD_SECTIONS(struct gap_settings, head),
+};
+WORLD_SETTINGS_FIT(struct gap_settings);
 
 /* The run's shape, looked at every SHAPE_NS. */
 struct shape {
@@ -25,6 +74,7 @@ struct world {
     struct base base;
     struct rig rig;
     struct head head;
+    struct gap_settings settings;
     struct servo servo;
     struct shape shape;
 };
@@ -34,41 +84,46 @@ static const char *const reported[] = {"gap_cm", "safe_cm", "accel_cmps2"};
 
 /* --- what the head measures --------------------------------------------------------------- */
 
-static long limited(double value, long low, long high)
-{
-    return value <= (double)low ? low : value >= (double)high ? high : lround(value);
-}
-
 static double lead_accel_mps2(const struct car *car)
 {
     double now_s = (double)car->now_ns * 1e-9, before_mps, after_mps;
 
-    if (!car->lead_there) {
+    if (!car->targets[0].there) {
         return 0;
     }
-    car_lead_path_m(&car->lead, now_s, &before_mps);
-    car_lead_path_m(&car->lead, now_s + slope_s, &after_mps);
+    car_lead_path_m(&car->targets[0].lead, now_s, &before_mps);
+    car_lead_path_m(&car->targets[0].lead, now_s + slope_s, &after_mps);
     return (after_mps - before_mps) / slope_s;
+}
+
+/* VALUE with noise, in hundredths of its unit, as the frame holds it. */
+static long measured(struct world *world, double value, double deviation, long low, long high)
+{
+    return head_limited(head_noisy(&world->head, value, deviation) * 100, low, high);
 }
 
 /* Without a car ahead: the end of the range, at the own speed. */
 static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
+    const struct gap_settings *settings = &world->settings;
     const struct car *car = &world->rig.car;
-    double lead_mps = car->lead_there ? car_lead_mps(car) : car->v_mps;
+    double lead_mps = car->targets[0].there ? car_lead_mps(car) : car->v_mps;
 
-    head_put_16(payload, limited(car_gap_m(car) * 100, 0, GAP_MAX));
-    head_put_16(payload + 2, limited(car->v_mps * 100, 0, SPEED_MAX));
-    head_put_16(payload + 4, limited(lead_mps * 100, 0, SPEED_MAX));
-    head_put_16(payload + 6, limited(lead_accel_mps2(car) * 100, -ACCEL_MAX, ACCEL_MAX));
+    head_put_16(payload, measured(world, car_gap_m(car), settings->noise.gap_m, 0, GAP_MAX_CM));
+    head_put_16(payload + 2,
+                measured(world, car->v_mps, settings->noise.own_mps, 0, SPEED_MAX_CMPS));
+    head_put_16(payload + 4,
+                measured(world, lead_mps, settings->noise.lead_mps, 0, SPEED_MAX_CMPS));
+    head_put_16(payload + 6, measured(world, lead_accel_mps2(car), settings->noise.lead_mps2,
+                                      -ACCEL_MAX_CMPS2, ACCEL_MAX_CMPS2));
 }
 
 static void spoil(struct random *random, uint8_t *payload)
 {
-    static const struct head_value impossible[] = {{0, 2, GAP_MAX + 1},
-                                                   {2, 2, SPEED_MAX + 1},
+    static const struct head_value impossible[] = {{0, 2, GAP_MAX_CM + 1},
+                                                   {2, 2, SPEED_MAX_CMPS + 1},
                                                    {4, 2, 65535},
-                                                   {6, 2, ACCEL_MAX + 1},
+                                                   {6, 2, ACCEL_MAX_CMPS2 + 1},
                                                    {6, 2, -32768}};
 
     head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
@@ -83,7 +138,7 @@ static void note_shape(struct world *world)
     double t_s = (double)shape->next_ns * 1e-9;
     double decel_mps2 = -car->accel_mps2, closing_mps = car->v_mps - car_lead_mps(car);
 
-    if (isnan(shape->event_accel_mps2) && shape->next_ns >= world->rig.event_ns) {
+    if (isinf(shape->event_accel_mps2) && shape->next_ns >= world->rig.event_ns) {
         shape->event_accel_mps2 = car->accel_mps2;
     }
     if (decel_mps2 > shape->peak_mps2) {
@@ -130,9 +185,10 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
 
     world->base = (struct base){.rig = &world->rig, .head = &world->head, .sense = measure_all};
     rig_init(&world->rig, scenario, step_ns);
-    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    memcpy(&world->settings, scenario->settings, sizeof world->settings);
+    head_init(&world->head, &world->settings.head, seed, KIND, PAYLOAD_BYTES, spoil);
     world->shape =
-        (struct shape){.event_accel_mps2 = NAN, .peak_s = INFINITY, .closing_s = INFINITY};
+        (struct shape){.event_accel_mps2 = INFINITY, .peak_s = INFINITY, .closing_s = INFINITY};
     return world;
 }
 
@@ -163,6 +219,9 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
 }
 
 const struct world_class gap_world = {
+    .name = "gap",
+    .meaning = "keeps a safe distance by throttle and brake",
+    WORLD_SECTIONS(sections),
     BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,

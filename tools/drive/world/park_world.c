@@ -16,9 +16,97 @@ static const double servo_mid_us = 1500, servo_span_us = 500;
 static const double degree = M_PI / 180;
 static const double dwell_s = 0.3; /* what is shown of the car in its place */
 
+struct park_settings {
+    struct {
+        double x_m, y_m, heading_deg; /* at the start: rear axle's midpoint, axis against +x */
+        double speed_mps;             /* backwards */
+        double length_m;              /* from axle to axle */
+        double steer_deg;             /* for a pulse of 2 ms */
+    } park;
+    struct {
+        double place_m, heading_deg; /* standard deviations */
+    } noise;
+    struct head_settings head;
+};
+
+#define AT(member)                                                                                 \
+    offsetof(struct park_settings, park.member) - offsetof(struct park_settings, park)
+static const struct key park_keys[] = {
+    {.name = "x_m",
+     .meaning = "rear axle at the start, beside the place",
+     .at = AT(x_m),
+     .low = -39,
+     .high = 39,
+     .required = true},
+    {.name = "y_m",
+     .meaning = "rear axle at the start, before the place",
+     .at = AT(y_m),
+     .low = 0.1,
+     .high = 39,
+     .required = true},
+    {.name = "heading_deg",
+     .meaning = "direction of the car at the start; 90: that of the place",
+     .at = AT(heading_deg),
+     .low = -360,
+     .high = 360,
+     .required = true},
+    {.name = "speed_mps",
+     .meaning = "speed, backwards",
+     .at = AT(speed_mps),
+     .low = 0.1,
+     .high = 10,
+     .initial = 5},
+    {.name = "length_m",
+     .meaning = "from axle to axle",
+     .at = AT(length_m),
+     .low = 1,
+     .high = 10,
+     .initial = 4},
+    {.name = "steer_deg",
+     .meaning = "steering angle at a pulse of 2 ms",
+     .at = AT(steer_deg),
+     .low = 1,
+     .high = 80,
+     .initial = 45},
+};
+#undef AT
+
+static const struct section park_section = {
+    .name = "park",
+    .meaning = "a car that drives backwards to its place, at x = 0 and y = 0",
+    SECTION_KEYS(park_keys),
+    .size = sizeof(((struct park_settings *)NULL)->park)};
+
+#define AT(member)                                                                                 \
+    offsetof(struct park_settings, noise.member) - offsetof(struct park_settings, noise)
+static const struct key noise_keys[] = {
+    {.name = "place_m", .meaning = "standard deviation of x and y", .at = AT(place_m), .high = 5},
+    {.name = "heading_deg",
+     .meaning = "standard deviation of the heading",
+     .at = AT(heading_deg),
+     .high = 45},
+};
+#undef AT
+
+static const struct section noise_section = {.name = "noise",
+                                             .meaning = "noise of what the head measures",
+                                             SECTION_KEYS(noise_keys),
+                                             .size = sizeof(((struct park_settings *)NULL)->noise)};
+
+static const struct section_use sections[] = {
+    {.section = &scenario_section,
+     .required = true,
+     .only = "title app duration_s event_s seed demo"},
+    {.section = &park_section, AT_SETTINGS(struct park_settings, park), .required = true},
+    {.section = &noise_section, AT_SETTINGS(struct park_settings, noise)},
+    HEAD_SECTIONS(struct park_settings, head),
+};
+WORLD_SETTINGS_FIT(struct park_settings);
+
 struct world {
     struct base base;
     struct truck truck;
+    struct park_settings settings;
     struct head head;
     struct servo servo;
     bool levels[BOARD_OUTPUTS];
@@ -88,17 +176,23 @@ static void steer(struct world *world)
 
 /* --- frames ------------------------------------------------------------------------------- */
 
-/* A value of the frame's sixteen bits, at an end when it would not fit. */
-static long fit(double value)
+/* A place in m with noise, as the frame's sixteen bits hold it. */
+static long measured(struct world *world, double place_m)
 {
-    return lround(fmin(fmax(value, -32768), 32767));
+    double noisy_m = head_noisy(&world->head, place_m, world->settings.noise.place_m);
+
+    return head_limited(noisy_m * unit_per_m, -32768, 32767);
 }
 
 static void measure_place(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
-    head_put_16(payload, fit(world->truck.x_m * unit_per_m));
-    head_put_16(payload + 2, fit(world->truck.y_m * unit_per_m));
-    head_put_16(payload + 4, lround(world->truck.heading_rad / (2 * M_PI) * turn));
+    double deviation_rad = world->settings.noise.heading_deg * degree;
+
+    head_put_16(payload, measured(world, world->truck.x_m));
+    head_put_16(payload + 2, measured(world, world->truck.y_m));
+    head_put_16(payload + 4,
+                lround(head_noisy(&world->head, world->truck.heading_rad, deviation_rad) /
+                       (2 * M_PI) * turn));
 }
 
 static void spoil(struct random *random, uint8_t *payload)
@@ -143,20 +237,21 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
 {
     struct world *world = base_create(sizeof *world);
 
+    memcpy(&world->settings, scenario->settings, sizeof world->settings);
     world->base = (struct base){.head = &world->head, .sense = measure_place};
-    world->truck = (struct truck){.x_m = scenario->park.x_m,
-                                  .y_m = scenario->park.y_m,
-                                  .heading_rad = scenario->park.heading_deg * degree,
-                                  .speed_mps = scenario->park.speed_mps,
-                                  .length_m = scenario->park.length_m};
-    world->full_steer_rad = scenario->park.steer_deg * degree;
+    world->truck = (struct truck){.x_m = world->settings.park.x_m,
+                                  .y_m = world->settings.park.y_m,
+                                  .heading_rad = world->settings.park.heading_deg * degree,
+                                  .speed_mps = world->settings.park.speed_mps,
+                                  .length_m = world->settings.park.length_m};
+    world->full_steer_rad = world->settings.park.steer_deg * degree;
     world->event_s = scenario->event_s;
     world->step_ns = step_ns;
     world->arrived_s = world->stood_s = world->first_fault_s = world->alarm_s = INFINITY;
     world->end_x_m = world->end_turn_rad = INFINITY;
     memset(world->levels, true, sizeof world->levels);
     servo_init(&world->servo, true);
-    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    head_init(&world->head, &world->settings.head, seed, KIND, PAYLOAD_BYTES, spoil);
     return world;
 }
 
@@ -224,6 +319,9 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
 }
 
 const struct world_class park_world = {
+    .name = "park",
+    .meaning = "parks a car backwards",
+    WORLD_SECTIONS(sections),
     BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,

@@ -4,15 +4,128 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* The frames of firmware/frames/frame.h and radar.h. */
-enum { KIND = 1, PAYLOAD_BYTES = 13, FLAG_TARGET = 1, FLAG_SIGNED = 2 };
+enum { KIND = 1, PAYLOAD_BYTES = 13, FLAG_TARGET = 1, FLAG_SIGNED = 2, MIN_RADIUS_M = 31 };
 
 /* The front end: carrier, sweep from peak to peak, duration of a triangle. */
 static const double light_mps = 299792458, carrier_hz = 77e9, sweep_hz = 150e6, triangle_s = 2e-3;
 
 static const double turn = 65536; /* the unit of angles in frames */
 static const double degree = M_PI / 180;
+
+struct radar_settings {
+    struct {
+        double radius_m; /* of the ego lane's centre, positive in a bend to the left; 0: straight */
+        double lane_m;   /* width of a lane */
+    } road;
+    struct {
+        double range_noise_m, closing_noise_mps, azimuth_noise_deg; /* standard deviations */
+        double dropout; /* probability that a target is not seen */
+        double max_m;   /* range */
+        double fov_deg; /* it sees so far to each side */
+        int beats;      /* enum beats */
+    } front;
+    struct head_settings head;
+};
+
+enum beats {
+    BEATS_SIGNED,  /* with I and Q: a beat may be negative */
+    BEATS_UNSIGNED /* a mixer alone shows its size */
+};
+
+#define AT(member)                                                                                 \
+    offsetof(struct radar_settings, road.member) - offsetof(struct radar_settings, road)
+static const struct key road_keys[] = {
+    {.name = "radius_m",
+     .meaning = "radius of the own lane, positive in a bend to the left; 0: straight",
+     .at = AT(radius_m),
+     .low = -10000,
+     .high = 10000,
+     .required = true},
+    {.name = "lane_m",
+     .meaning = "width of a lane",
+     .at = AT(lane_m),
+     .low = 2,
+     .high = 6,
+     .initial = 3.75},
+};
+#undef AT
+
+static void check_road(struct section_check *check, const void *values)
+{
+    double radius_m = fabs(*(const double *)values);
+
+    if (radius_m > 0 && radius_m < MIN_RADIUS_M) {
+        section_complain(check, "radius_m",
+                         "radius_m is below %d m, for which no frame has a curvature",
+                         MIN_RADIUS_M);
+    }
+}
+
+static const struct section road_section = {.name = "road",
+                                            .meaning = "the road ahead",
+                                            SECTION_KEYS(road_keys),
+                                            .size = sizeof(((struct radar_settings *)NULL)->road),
+                                            .check = check_road};
+
+#define AT(member)                                                                                 \
+    offsetof(struct radar_settings, front.member) - offsetof(struct radar_settings, front)
+static const struct key front_keys[] = {
+    {.name = "range_noise_m",
+     .meaning = "standard deviation of the range",
+     .at = AT(range_noise_m),
+     .high = 10},
+    {.name = "closing_noise_mps",
+     .meaning = "standard deviation of the closing speed",
+     .at = AT(closing_noise_mps),
+     .high = 5},
+    {.name = "azimuth_noise_deg",
+     .meaning = "standard deviation of the azimuth",
+     .at = AT(azimuth_noise_deg),
+     .high = 5},
+    {.name = "dropout",
+     .meaning = "probability that a target is not seen",
+     .at = AT(dropout),
+     .high = 1},
+    {.name = "max_m",
+     .meaning = "farthest distance that it sees",
+     .at = AT(max_m),
+     .low = 1,
+     .high = 500,
+     .initial = 300},
+    {.name = "fov_deg",
+     .meaning = "it sees so far to each side",
+     .at = AT(fov_deg),
+     .low = 1,
+     .high = 44,
+     .initial = 30},
+    {.name = "beats",
+     .meaning = "signed: a mixer with I and Q; unsigned: one that shows the size of a beat alone",
+     .kind = VALUE_CHOICE,
+     .at = AT(beats),
+     .choices = "signed unsigned"},
+};
+#undef AT
+
+static const struct section front_section = {.name = "front",
+                                             .meaning = "the radar",
+                                             SECTION_KEYS(front_keys),
+                                             .size =
+                                                 sizeof(((struct radar_settings *)NULL)->front)};
+
+static const struct section_use sections[] = {
+    {.section = &scenario_section, .required = true},
+    {.section = &ego_section, AT_SCENARIO(ego), .required = true},
+    {.section = &lead_section,
+     AT_SCENARIO(lead),
+     .only = "gap_m speed_mps lane change_s change_mps2 change_to_mps profile appears_s leaves_s"},
+    {.section = &road_section, AT_SETTINGS(struct radar_settings, road)},
+    {.section = &front_section, AT_SETTINGS(struct radar_settings, front)},
+    HEAD_SECTIONS(struct radar_settings, head),
+};
+WORLD_SETTINGS_FIT(struct radar_settings);
 
 struct sight {
     bool target;
@@ -23,8 +136,7 @@ struct world {
     struct base base;
     struct rig rig;
     struct head head;
-    struct road road;
-    struct front front;
+    struct radar_settings settings;
     struct random random;
     struct sight seen; /* at the last trigger */
 };
@@ -41,16 +153,17 @@ static struct sight look(const struct world *world)
 {
     const struct car *car = &world->rig.car;
     double gap = car_gap_m(car), lead_mps = car_lead_mps(car);
-    double radius = fabs(world->road.radius_m), side = world->road.radius_m < 0 ? -1 : 1;
+    double radius = fabs(world->settings.road.radius_m),
+           side = world->settings.road.radius_m < 0 ? -1 : 1;
     bool is_straight = radius <= 0;
-    double aside_m = side * car->lead.lane * world->road.lane_m;
+    double aside_m = side * car->targets[0].lead.lane * world->settings.road.lane_m;
     double bend = is_straight ? 0 : gap / radius;
     double x = is_straight ? gap : (radius - aside_m) * sin(bend);
     double y = is_straight ? aside_m : radius - (radius - aside_m) * cos(bend);
     struct sight sight = {.range_m = hypot(x, y)};
 
-    if (!(sight.range_m <= world->front.max_m) ||
-        !(fabs(atan2(y, x)) <= world->front.fov_deg * degree)) {
+    if (!(sight.range_m <= world->settings.front.max_m) ||
+        !(fabs(atan2(y, x)) <= world->settings.front.fov_deg * degree)) {
         return sight;
     }
     sight.target = true;
@@ -62,12 +175,13 @@ static struct sight look(const struct world *world)
 
 static void add_noise(struct world *world, struct sight *sight)
 {
-    const struct front *front = &world->front;
+    const struct radar_settings *settings = &world->settings;
+    struct random *random = &world->random;
 
-    sight->range_m += front->range_noise_m * random_normal(&world->random);
-    sight->closing_mps += front->closing_noise_mps * random_normal(&world->random);
-    sight->azimuth_rad += front->azimuth_noise_deg * degree * random_normal(&world->random);
-    if (random_uniform(&world->random) < front->dropout) {
+    sight->range_m += settings->front.range_noise_m * random_normal(random);
+    sight->closing_mps += settings->front.closing_noise_mps * random_normal(random);
+    sight->azimuth_rad += settings->front.azimuth_noise_deg * degree * random_normal(random);
+    if (random_uniform(random) < settings->front.dropout) {
         sight->target = false;
     }
     if (sight->range_m < 0) {
@@ -81,7 +195,7 @@ static void measure_beats(const struct world *world, const struct sight *sight, 
     double speed_hz = 2 * carrier_hz * sight->closing_mps / light_mps;
     double up_hz = range_hz - speed_hz, down_hz = range_hz + speed_hz;
 
-    if (world->front.beats == BEATS_UNSIGNED) {
+    if (world->settings.front.beats == BEATS_UNSIGNED) {
         up_hz = fabs(up_hz);
         down_hz = fabs(down_hz);
     }
@@ -92,7 +206,7 @@ static void measure_beats(const struct world *world, const struct sight *sight, 
 
 static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
-    double radius = world->road.radius_m;
+    double radius = world->settings.road.radius_m;
 
     for (int i = 0; i < PAYLOAD_BYTES; i++) {
         payload[i] = 0;
@@ -105,7 +219,7 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
     head_put_16(payload + 8, lround(world->rig.car.v_mps * 36));
     head_put_16(payload + 10, fabs(radius) > 0 ? lround(1e6 / radius) : 0);
     payload[12] = (uint8_t)((world->seen.target ? FLAG_TARGET : 0) |
-                            (world->front.beats == BEATS_SIGNED ? FLAG_SIGNED : 0));
+                            (world->settings.front.beats == BEATS_SIGNED ? FLAG_SIGNED : 0));
 }
 
 static void spoil(struct random *random, uint8_t *payload)
@@ -125,7 +239,7 @@ static void spoil(struct random *random, uint8_t *payload)
         head_put_16(payload + 10, -32768); /* curvature */
         break;
     case 4:
-        payload[12] |= 0x40; /* a flag that is none */
+        payload[12] |= 0x40; /* an undefined flag */
         break;
     case 5:
         head_put_24(payload, 700000); /* 524 m and more */
@@ -160,10 +274,9 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
 
     world->base = (struct base){.rig = &world->rig, .head = &world->head, .sense = measure_all};
     rig_init(&world->rig, scenario, step_ns);
-    head_init(&world->head, scenario, seed, KIND, PAYLOAD_BYTES, spoil);
+    memcpy(&world->settings, scenario->settings, sizeof world->settings);
+    head_init(&world->head, &world->settings.head, seed, KIND, PAYLOAD_BYTES, spoil);
     random_seed(&world->random, seed);
-    world->road = scenario->road;
-    world->front = scenario->front;
     return world;
 }
 
@@ -206,6 +319,9 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
 }
 
 const struct world_class radar_world = {
+    .name = "radar",
+    .meaning = "takes over from the driver behind what a radar sees",
+    WORLD_SECTIONS(sections),
     BASE_TRACE(columns, reported),
     .create = create,
     .destroy = base_destroy,

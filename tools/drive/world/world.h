@@ -1,7 +1,8 @@
 /* The seam between the lockstep loop and what is around one kind of controller: its sensor, its
  * plant, what is measured. run.c knows only this; brake_world.c is the brake's. Times are
  * nanoseconds of the scenario, 0 at the controller's first trigger, or at the one that is_warm
- * picks; before start, nanoseconds since reset. */
+ * picks; before start, nanoseconds since reset. A new controller needs one file NAME_world.c here,
+ * which defines NAME_world; the list of worlds is made from the files. */
 #ifndef FUZZY51_WORLD_H
 #define FUZZY51_WORLD_H
 
@@ -31,6 +32,14 @@ struct world_column {
 };
 
 struct world_class {
+    const char *name;    /* the controller's, as in [scenario] app */
+    const char *meaning; /* what it does, in a few words */
+
+    /* The sections that a scenario of this world may have beside [expect]. The world's own ones
+     * fill its settings struct, which is struct scenario's `settings`. */
+    const struct section_use *sections;
+    int section_count;
+
     const struct world_column *columns;
     int column_count;
     const char *const *reported; /* columns of the telemetry that the trace repeats */
@@ -88,9 +97,26 @@ struct world_class {
     void (*measure)(const struct world *world, int64_t t_ns, struct outcome *outcome);
 };
 
-extern const struct world_class brake_world, radar_world, gap_world, follow_world, park_world;
+/* For a world class: its sections, from an array. */
+#define WORLD_SECTIONS(array)                                                                      \
+    .sections = (array), .section_count = (int)(sizeof(array) / sizeof(array)[0])
 
-/* The world that a scenario's app belongs to. */
-const struct world_class *world_class(enum world_kind kind);
+/* For a world with settings: TYPE fits into a scenario. */
+#define WORLD_SETTINGS_FIT(type)                                                                   \
+    _Static_assert(sizeof(type) <= SCENARIO_SETTINGS, "enlarge SCENARIO_SETTINGS")
+
+/* The classes of all worlds, each named after its file, in alphabetical order. */
+#define WORLD(name) extern const struct world_class name##_world;
+#include "worlds.h"
+#undef WORLD
+
+/* The worlds, by index from 0 on; NULL: there are no more. */
+const struct world_class *world_at(int index);
+
+/* The world of that name, or NULL. */
+const struct world_class *world_find(const char *name);
+
+/* The names of all worlds, separated by blanks; a static buffer. */
+const char *world_names(void);
 
 #endif

@@ -1,0 +1,227 @@
+#include "scenario.h"
+
+/* --- [scenario] --------------------------------------------------------------------------- */
+
+#define AT(member) offsetof(struct scenario, member)
+static const struct key scenario_keys[] = {
+    {.name = "title",
+     .meaning = "one line that says what happens",
+     .kind = VALUE_TEXT,
+     .at = AT(title),
+     .text = "",
+     .required = true},
+    {.name = "app",
+     .meaning = "the controller, or the controller, _ and a variant of its image",
+     .kind = VALUE_TEXT,
+     .at = AT(app),
+     .text = "brake"},
+    {.name = "duration_s",
+     .meaning = "how long it takes, at most",
+     .at = AT(duration_s),
+     .low = 0.1,
+     .high = 3600,
+     .required = true},
+    {.name = "hold_s",
+     .meaning = "ends as soon as both cars have stood for this time",
+     .at = AT(hold_s),
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .unset = "runs for duration_s"},
+    {.name = "event_s",
+     .meaning = "outcomes that end in _within_s count from here",
+     .at = AT(event_s),
+     .high = 3600},
+    {.name = "seed",
+     .meaning = "of all random numbers",
+     .kind = VALUE_COUNT,
+     .at = AT(seed),
+     .high = 4294967295,
+     .initial = 1},
+    {.name = "demo",
+     .meaning = "whether make demo shows this scenario for its app",
+     .kind = VALUE_CHOICE,
+     .at = AT(demo),
+     .choices = "no yes"},
+};
+#undef AT
+
+const struct section scenario_section = {.name = "scenario",
+                                         .meaning = "what the whole is about",
+                                         SECTION_KEYS(scenario_keys),
+                                         .size = sizeof(struct scenario)};
+
+/* --- [ego] -------------------------------------------------------------------------------- */
+
+#define AT(member) offsetof(struct ego, member)
+static const struct key ego_keys[] = {
+    {.name = "speed_mps",
+     .meaning = "speed at the start",
+     .at = AT(speed_mps),
+     .high = 60,
+     .required = true},
+    {.name = "brake_max_mps2",
+     .meaning = "deceleration at 100 % brake",
+     .at = AT(brake_max_mps2),
+     .low = 0.5,
+     .high = 20,
+     .initial = 8},
+    {.name = "brake_lag_s",
+     .meaning = "first-order lag of the brake",
+     .at = AT(brake_lag_s),
+     .low = 0.01,
+     .high = 2,
+     .initial = 0.2},
+    {.name = "brake_dead_s",
+     .meaning = "dead time of the brake, before the lag",
+     .at = AT(brake_dead_s),
+     .high = 1,
+     .initial = 0.05},
+    {.name = "rolling_mps2",
+     .meaning = "deceleration of a car that only rolls",
+     .at = AT(rolling_mps2),
+     .high = 2,
+     .initial = 0.15},
+    {.name = "driver",
+     .meaning = "whether the driver holds a speed while the brake is released",
+     .kind = VALUE_CHOICE,
+     .at = AT(driver),
+     .choices = "holds coasts"},
+    {.name = "driver_mps",
+     .meaning = "the speed that the driver holds",
+     .at = AT(driver_mps),
+     .high = 60,
+     .initial = SCENARIO_UNSET,
+     .unset = "speed_mps"},
+    {.name = "driver_mps2",
+     .meaning = "strongest acceleration of the driver",
+     .at = AT(driver_mps2),
+     .low = 0.1,
+     .high = 10,
+     .initial = 2},
+};
+#undef AT
+
+static void check_ego(struct section_check *check, const void *values)
+{
+    static const char *const of_driver[] = {"driver_mps", "driver_mps2"};
+    const struct ego *ego = values;
+
+    for (int i = 0; i < 2 && ego->driver == DRIVER_COASTS; i++) {
+        if (section_line(check, of_driver[i]) != 0) {
+            section_complain(check, of_driver[i],
+                             "%s has no effect on a driver who coasts; take it out", of_driver[i]);
+        }
+    }
+}
+
+const struct section ego_section = {.name = "ego",
+                                    .meaning = "the own car",
+                                    SECTION_KEYS(ego_keys),
+                                    .size = sizeof(struct ego),
+                                    .check = check_ego};
+
+/* --- [lead] ------------------------------------------------------------------------------- */
+
+#define AT(member) offsetof(struct lead, member)
+static const struct key lead_keys[] = {
+    {.name = "gap_m",
+     .meaning = "distance at the start, or when it appears",
+     .at = AT(gap_m),
+     .low = 0.01,
+     .high = 1000,
+     .required = true},
+    {.name = "speed_mps", .meaning = "speed at the start", .at = AT(speed_mps), .high = 60},
+    {.name = "lane",
+     .meaning = "0: the own lane; 1: the next one to the left; -1: to the right. From 0.5 lanes "
+                "aside on, the own car drives past it",
+     .at = AT(lane),
+     .low = -3,
+     .high = 3},
+    {.name = "change_s",
+     .meaning = "when its speed begins to change",
+     .at = AT(change_s),
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .unset = "it does not change"},
+    {.name = "change_mps2",
+     .meaning = "acceleration of that change",
+     .at = AT(change_mps2),
+     .low = -20,
+     .high = 20},
+    {.name = "change_to_mps",
+     .meaning = "speed after that change",
+     .at = AT(change_to_mps),
+     .high = 60},
+    {.name = "profile",
+     .meaning = "its speed over time, in place of speed_mps: seconds:m/s, as in 0:2, 1.5:2, 2:0",
+     .kind = VALUE_PROFILE,
+     .at = AT(profile),
+     .high = 60},
+    {.name = "appears_s",
+     .meaning = "when it cuts in",
+     .at = AT(appears_s),
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .unset = "there from the start"},
+    {.name = "leaves_s",
+     .meaning = "when it leaves the lane",
+     .at = AT(leaves_s),
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .unset = "stays"},
+    {.name = "missed",
+     .meaning = "share of the readings in which it gives no echo",
+     .at = AT(missed),
+     .high = 1},
+};
+#undef AT
+
+static void check_lead(struct section_check *check, const void *values)
+{
+    const struct lead *lead = values;
+    int changes = (section_line(check, "change_s") != 0) +
+                  (section_line(check, "change_mps2") != 0) +
+                  (section_line(check, "change_to_mps") != 0);
+
+    if (changes != 0 && changes != 3) {
+        section_complain(check, NULL,
+                         "change_s, change_mps2 and change_to_mps go together; give all three");
+    }
+    if (lead->profile.count > 0 && (changes > 0 || section_line(check, "speed_mps") != 0)) {
+        section_complain(check, "profile",
+                         "a profile and other speeds are given; keep one of them");
+    }
+    if (lead->appears_s >= 0 && lead->leaves_s >= 0 && lead->leaves_s <= lead->appears_s) {
+        section_complain(check, "leaves_s", "leaves_s comes before appears_s; exchange them");
+    }
+}
+
+const struct section lead_section = {.name = "lead",
+                                     .meaning = "a car ahead",
+                                     SECTION_KEYS(lead_keys),
+                                     .size = sizeof(struct lead),
+                                     .check = check_lead};
+
+/* --- [uart] ------------------------------------------------------------------------------- */
+
+#define AT(member) offsetof(struct scenario, uart.member) - offsetof(struct scenario, uart)
+static const struct key uart_keys[] = {
+    {.name = "at_s",
+     .meaning = "when the characters are sent",
+     .at = AT(at_s),
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .required = true},
+    {.name = "send",
+     .meaning = "these characters",
+     .kind = VALUE_TEXT,
+     .at = AT(send),
+     .text = "",
+     .required = true},
+};
+#undef AT
+
+const struct section uart_section = {.name = "uart",
+                                     .meaning = "characters sent to the controller",
+                                     SECTION_KEYS(uart_keys),
+                                     .size = sizeof(((struct scenario *)NULL)->uart)};
