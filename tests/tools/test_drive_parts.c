@@ -4,7 +4,7 @@
 #include "expect.h"
 #include "common/hexfile.h"
 #include "pwm.h"
-#include "s51.h"
+#include "sim.h"
 #include "telemetry.h"
 
 #include "common/diag.h"
@@ -216,15 +216,15 @@ static void test_that_sync_times_lie_between_machine_cycles(void)
     static const long clocks[] = {12000000, 11059200, 24000000};
 
     for (int i = 0; i < 3; i++) {
-        struct s51 sim = {.clk_hz = clocks[i]};
+        struct sim sim = {.clk_hz = clocks[i]};
         double cycle_ns = 12e9 / (double)clocks[i];
 
         for (int64_t t = 1; t < 600000000000; t = t * 3 + 12345) {
-            int64_t grid = s51_grid_ns(&sim, t);
+            int64_t grid = sim_grid_ns(&sim, t);
 
             TEST_ASSERT_TRUE(grid >= t - 1 && (double)(grid - t) <= cycle_ns + 1);
             TEST_ASSERT_DOUBLE_WITHIN(0.001, 0.5, fmod((double)grid, cycle_ns) / cycle_ns);
-            TEST_ASSERT_EQUAL_INT64(grid, s51_grid_ns(&sim, grid));
+            TEST_ASSERT_EQUAL_INT64(grid, sim_grid_ns(&sim, grid));
         }
     }
 }

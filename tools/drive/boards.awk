@@ -11,7 +11,7 @@ function of(key) {
 END {
     name = FILENAME
     gsub(/.*\/|\.mk$/, "", name)
-    printf "BOARD(%s, %s, \"%s\"", name, of("CLK_HZ"), of("S51_TYPE")
+    printf "BOARD(%s, %s, \"%s\", \"%s\"", name, of("CLK_HZ"), of("S51_TYPE"), of("WATCHDOG")
     count = split(pins, pin, " ")
     for (i = 1; i <= count; i++) {
         printf ", %s", of("PIN_" pin[i])

@@ -33,13 +33,16 @@ enum option_key {
     OPT_SEED,
     OPT_SET,
     OPT_BRIEF,
-    OPT_STATS
+    OPT_STATS,
+    OPT_ENGINE
 };
 
 static const struct argp_option options[] = {
     {"hex", OPT_HEX, "FILE", 0,
      "the controller's image, Intel HEX (build/BOARD/APP.ihx, with the scenario's app)", 1},
     {"board", OPT_BOARD, "NAME", 0, "the board that it was built for", 1},
+    {"engine", OPT_ENGINE, "NAME", 0,
+     "what runs the image: s51, uCsim's simulator (the default), or fast, our own", 1},
     {"scenario", OPT_SCENARIO, "FILE", 0, "what happens on the road, and what must come of it", 1},
     {"set", OPT_SET, "SECTION.KEY=VALUE", 0, "replaces a value of the scenario; may be repeated",
      1},
@@ -57,6 +60,7 @@ static const struct argp_option options[] = {
 };
 
 struct arguments {
+    const struct sim_engine *engine;
     const char *hex, *board, *scenario;
     struct trace_paths paths;
     bool live, brief, stats, has_seed, guess;
@@ -89,6 +93,12 @@ static error_t take_option(int key, char *text, struct argp_state *state)
     switch (key) {
     case OPT_HEX:
         arguments->hex = text;
+        break;
+    case OPT_ENGINE:
+        arguments->engine = sim_engine(text);
+        if (arguments->engine == NULL) {
+            argp_error(state, "no engine '%s'; the engines are: %s", text, sim_engine_names());
+        }
         break;
     case OPT_BOARD:
         arguments->board = text;
@@ -151,7 +161,7 @@ static const struct argp parser = {
     .parser = take_option,
     .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\ncanary",
     .doc =
-        "Runs a controller's real image in the simulator s51, in a closed loop with a modelled "
+        "Runs a controller's real image in a simulator, in a closed loop with a modelled "
         "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
         "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
         "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, no image "
@@ -341,7 +351,8 @@ static int command_run(struct arguments *arguments)
     add_understood(&scenario);
     setup.guess = arguments->guess && !arguments->live;
     setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;
-    if (canary_check_version() != EXIT_FINE) {
+    setup.engine = arguments->engine;
+    if (sim_check(setup.engine) != EXIT_FINE) {
         return EXIT_USAGE;
     }
     return run_and_report(&setup, &scenario, arguments);
@@ -349,8 +360,10 @@ static int command_run(struct arguments *arguments)
 
 int main(int argc, char **argv)
 {
-    struct arguments arguments = {
-        .guess = true, .quantum_us = RUN_QUANTUM_US, .step_us = WORLD_STEP_NS / 1000};
+    struct arguments arguments = {.engine = &s51_engine,
+                                  .guess = true,
+                                  .quantum_us = RUN_QUANTUM_US,
+                                  .step_us = WORLD_STEP_NS / 1000};
     const char *command;
 
     argp_err_exit_status = EXIT_USAGE;

@@ -2,7 +2,7 @@
 
 #include "diag.h"
 #include "pwm.h"
-#include "s51.h"
+#include "sim.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,7 +24,7 @@ struct loop {
     const struct world_class *class;
     const struct run_observer *observers;
     int observer_count;
-    struct s51 sim;
+    struct sim *sim;
     struct world *world;
     bool levels[BOARD_OUTPUTS];
     int64_t start_ns; /* of the scenario, in the simulator's time */
@@ -105,8 +105,8 @@ static void start_world(struct loop *loop, int64_t start_ns)
 /* Edges before the first trigger only set the scene. */
 static void take_edges(struct loop *loop)
 {
-    for (size_t i = 0; i < loop->sim.edge_count && !loop->sim.edges[i].after_reset; i++) {
-        const struct s51_edge *edge = &loop->sim.edges[i];
+    for (size_t i = 0; i < loop->sim->edge_count && !loop->sim->edges[i].after_reset; i++) {
+        const struct sim_edge *edge = &loop->sim->edges[i];
 
         loop->levels[edge->pin] = edge->level;
         if (!loop->run->triggered && edge->pin == PIN_TRIGGER && edge->level &&
@@ -152,7 +152,7 @@ static void take_uart(struct loop *loop)
     char bytes[512];
     size_t got;
 
-    while ((got = s51_receive(&loop->sim, bytes, sizeof bytes)) > 0) {
+    while ((got = sim_receive(loop->sim, bytes, sizeof bytes)) > 0) {
         telemetry_take(&loop->run->telemetry, loop->now_ns, bytes, got, note_state, loop);
     }
 }
@@ -175,7 +175,7 @@ static int64_t next_sync_ns(const struct loop *loop, int64_t t_ns)
     if (t_ns < next_ns) {
         next_ns = t_ns;
     }
-    return s51_grid_ns(&loop->sim, loop->start_ns + next_ns);
+    return sim_grid_ns(loop->sim, loop->start_ns + next_ns);
 }
 
 /* Hands the inputs that are due until UNTIL_NS to the simulator. */
@@ -190,7 +190,7 @@ static void take_inputs(struct loop *loop, int64_t until_ns)
         if (t_ns < loop->now_ns - PAST_NS) {
             loop->late = true;
         }
-        s51_set_pin(&loop->sim, loop->start_ns + t_ns, (int)pin - BOARD_OUTPUTS, level);
+        sim_set_pin(loop->sim, loop->start_ns + t_ns, (int)pin - BOARD_OUTPUTS, level);
         loop->inputs[loop->input_count].t_ns = t_ns;
         loop->inputs[loop->input_count].pin = pin;
         loop->inputs[loop->input_count++].level = level;
@@ -213,57 +213,57 @@ static void pass_mark(struct loop *loop)
     if (loop->class->take_bytes != NULL) {
         size_t count = loop->class->take_bytes(loop->world, mark_ns, bytes);
 
-        s51_send(&loop->sim, (const char *)bytes, count);
+        sim_send(loop->sim, (const char *)bytes, count);
     }
 }
 
 /* Runs the simulator to T_NS of the scenario. The world is advanced only to the controller's edges
  * and to times that are its own, so that the quantum leaves no trace in its numbers. */
-static enum s51_status run_to(struct loop *loop, int64_t t_ns)
+static enum sim_status run_to(struct loop *loop, int64_t t_ns)
 {
     while (loop->now_ns < t_ns) {
         int64_t sync_ns = next_sync_ns(loop, t_ns);
-        enum s51_status status;
+        enum sim_status status;
 
         take_inputs(loop, sync_ns - loop->start_ns);
         if (loop->late) {
-            return S51_FAILED;
+            return SIM_FAILED;
         }
-        status = s51_run_to(&loop->sim, sync_ns);
+        status = sim_run_to(loop->sim, sync_ns);
         loop->run->syncs++;
         take_edges(loop);
         show_inputs(loop, INT64_MAX);
-        if (status != S51_RAN) {
+        if (status != SIM_RAN) {
             return status;
         }
-        loop->now_ns = sync_ns - loop->start_ns;
+        loop->now_ns = loop->sim->now_ns - loop->start_ns;
         pass_mark(loop);
     }
     loop->class->advance(loop->world, t_ns);
-    return S51_RAN;
+    return SIM_RAN;
 }
 
-static enum s51_status boot(struct loop *loop)
+static enum sim_status boot(struct loop *loop)
 {
     while (!loop->run->triggered && loop->now_ns < RUN_BOOT_S * 1000000000LL) {
         int64_t next_ns = loop->now_ns + (int64_t)loop->setup->quantum_us * 1000;
-        enum s51_status status;
+        enum sim_status status;
 
         if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns) {
             next_ns = loop->class->mark_ns(loop->world);
         }
-        status = s51_run_to(&loop->sim, next_ns);
+        status = sim_run_to(loop->sim, next_ns);
         loop->run->syncs++;
         take_edges(loop);
-        if (status != S51_RAN) {
+        if (status != SIM_RAN) {
             return status;
         }
-        loop->now_ns = loop->sim.sync_ns - loop->start_ns;
+        loop->now_ns = loop->sim->now_ns - loop->start_ns;
         if (!loop->run->triggered && loop->class->take_bytes != NULL) {
             pass_mark(loop);
         }
     }
-    return S51_RAN;
+    return SIM_RAN;
 }
 
 static void send_bytes(struct loop *loop, int64_t t_ns)
@@ -273,15 +273,15 @@ static void send_bytes(struct loop *loop, int64_t t_ns)
     if (loop->sent || scenario->uart.at_s < 0 || t_ns < ns_from_s(scenario->uart.at_s)) {
         return;
     }
-    s51_send(&loop->sim, scenario->uart.send, strlen(scenario->uart.send));
+    sim_send(loop->sim, scenario->uart.send, strlen(scenario->uart.send));
     loop->sent = true;
 }
 
-static enum s51_status play(struct loop *loop)
+static enum sim_status play(struct loop *loop)
 {
     int64_t end_ns = ns_from_s(loop->setup->scenario->duration_s);
     int64_t t_ns = 0;
-    enum s51_status status = S51_RAN;
+    enum sim_status status = SIM_RAN;
 
     while (t_ns < end_ns && !loop->class->is_over(loop->world)) {
         send_bytes(loop, t_ns);
@@ -289,7 +289,7 @@ static enum s51_status play(struct loop *loop)
         status = run_to(loop, t_ns);
         loop->run->duration_ns = t_ns;
         take_uart(loop);
-        if (status != S51_RAN) {
+        if (status != SIM_RAN) {
             break;
         }
         show_row(loop, t_ns);
@@ -301,7 +301,7 @@ static enum s51_status play(struct loop *loop)
 
 /* The least that the pins demand while the controller starts again. A pin that says nothing yet is
  * high, as reset leaves it: full brake. */
-static double lowest_demand_pct(const struct s51 *sim)
+static double lowest_demand_pct(const struct sim *sim)
 {
     bool stop = true;
     struct pwm pwm;
@@ -309,7 +309,7 @@ static double lowest_demand_pct(const struct s51 *sim)
 
     pwm_init(&pwm, 0, true);
     for (size_t i = 0; i < sim->edge_count; i++) {
-        const struct s51_edge *edge = &sim->edges[i];
+        const struct sim_edge *edge = &sim->edges[i];
 
         if (!edge->after_reset) {
             continue;
@@ -332,13 +332,13 @@ static double lowest_demand_pct(const struct s51 *sim)
     return stop ? lowest : fmin(lowest, pwm.duty_pct);
 }
 
-static enum s51_status watch_reset(struct loop *loop)
+static enum sim_status watch_reset(struct loop *loop)
 {
     struct outcome *outcome = &loop->run->outcome;
-    enum s51_status status = s51_run_after_reset(&loop->sim, RUN_RESET_WATCH_MS * 1000000LL);
+    enum sim_status status = sim_run_after_reset(loop->sim, RUN_RESET_WATCH_MS * 1000000LL);
 
     outcome->values[METRIC_RESETS] = 1;
-    outcome->values[METRIC_RESET_BRAKE] = lowest_demand_pct(&loop->sim);
+    outcome->values[METRIC_RESET_BRAKE] = lowest_demand_pct(loop->sim);
     take_uart(loop);
     return status;
 }
@@ -348,9 +348,10 @@ static enum s51_status watch_reset(struct loop *loop)
 static int start_simulator(struct loop *loop)
 {
     const struct board *board = loop->setup->board;
-    const struct s51_setup setup = {
+    const struct sim_setup setup = {
         .hex = loop->setup->hex,
-        .type = board->s51_type,
+        .s51_type = board->s51_type,
+        .watchdog = board->watchdog,
         .clk_hz = board->clk_hz,
         .watch = board->pins,
         .watch_count = BOARD_OUTPUTS,
@@ -360,7 +361,7 @@ static int start_simulator(struct loop *loop)
         .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->class->take_bytes != NULL,
     };
 
-    return s51_start(&loop->sim, &setup);
+    return sim_start(loop->setup->engine, &loop->sim, &setup);
 }
 
 /* Once through the scenario. LATE: no result, because a guess was wrong. */
@@ -368,7 +369,7 @@ static int run_once(struct loop *loop, bool *late)
 {
     struct run *run = loop->run;
     const struct run_setup *setup = loop->setup;
-    enum s51_status status;
+    enum sim_status status;
 
     *late = false;
     telemetry_init(&run->telemetry);
@@ -380,23 +381,23 @@ static int run_once(struct loop *loop, bool *late)
     loop->world = loop->class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
     memset(loop->levels, true, sizeof loop->levels);
     status = boot(loop);
-    if (status == S51_RAN && run->triggered) {
+    if (status == SIM_RAN && run->triggered) {
         status = play(loop);
-    } else if (status == S51_RAN) {
+    } else if (status == SIM_RAN) {
         take_uart(loop);
     }
     loop->class->measure(loop->world, run->duration_ns, &run->outcome);
     for (int metric = 0; metric < METRIC_COUNT; metric++) {
         run->outcome.values[metric] += 0.0; /* no -0 */
     }
-    if (status == S51_RESET) {
+    if (status == SIM_RESET) {
         status = watch_reset(loop);
     }
     run->outcome.uart = run->telemetry.log;
     loop->class->destroy(loop->world);
-    s51_stop(&loop->sim);
+    sim_stop(loop->sim);
     *late = loop->late;
-    return status == S51_FAILED && !loop->late ? EXIT_USAGE : EXIT_FINE;
+    return status == SIM_FAILED && !loop->late ? EXIT_USAGE : EXIT_FINE;
 }
 
 int run_scenario(struct run *run, const struct run_setup *setup,

@@ -6,6 +6,7 @@
 #include "board.h"
 #include "expect.h"
 #include "scenario.h"
+#include "sim.h"
 #include "telemetry.h"
 #include "world.h"
 
@@ -20,6 +21,7 @@ enum {
 };
 
 struct run_setup {
+    const struct sim_engine *engine;
     const char *hex;
     const struct board *board;
     const struct scenario *scenario;

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#define BOARD(board_name, clk, type, ...)                                                          \
-    {.name = #board_name, .clk_hz = clk, .s51_type = type, .pins = {__VA_ARGS__}},
+#define BOARD(board_name, clk, type, dog, ...)                                                     \
+    {.name = #board_name, .clk_hz = clk, .s51_type = type, .watchdog = dog, .pins = {__VA_ARGS__}},
 static const struct board boards[] = {
 #include "boards.h"
 };

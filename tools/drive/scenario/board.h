@@ -25,6 +25,7 @@ struct board {
     const char *name;
     long clk_hz; /* oscillator; twelve clocks are one machine cycle */
     const char *s51_type;
+    const char *watchdog;     /* "none", "at89s52" or "stc89" */
     uint8_t pins[BOARD_PINS]; /* bit addresses: 0x90 is P1.0, 0xB2 is P3.2 */
 };
 

@@ -44,23 +44,23 @@ static void image_path(char *path, size_t size)
     snprintf(path + strlen(path), size - strlen(path), "/canary.ihx");
 }
 
-static enum s51_status observe(struct s51 *sim, struct figures *figures)
+static enum sim_status observe(struct sim *sim, struct figures *figures)
 {
     int64_t first_ns = 0, last_ns = 0;
     size_t edges = 0;
     char text[64] = "";
 
     for (int t_us = 400; t_us <= RUN_US; t_us += 400) {
-        enum s51_status status;
+        enum sim_status status;
 
         if (t_us == PULSE_FROM_US) {
-            s51_set_pin(sim, (PULSE_FROM_US - 1) * 1000LL, 0, true);
+            sim_set_pin(sim, (PULSE_FROM_US - 1) * 1000LL, 0, true);
         }
         if (t_us == PULSE_FROM_US + PULSE_US + 200) {
-            s51_set_pin(sim, (PULSE_FROM_US + PULSE_US - 1) * 1000LL, 0, false);
+            sim_set_pin(sim, (PULSE_FROM_US + PULSE_US - 1) * 1000LL, 0, false);
         }
-        status = s51_run_to(sim, t_us * 1000LL);
-        if (status != S51_RAN) {
+        status = sim_run_to(sim, t_us * 1000LL);
+        if (status != SIM_RAN) {
             return status;
         }
         for (size_t i = 0; i < sim->edge_count; i++) {
@@ -69,37 +69,37 @@ static enum s51_status observe(struct s51 *sim, struct figures *figures)
             figures->hash = mix(figures->hash, (uint64_t)last_ns);
         }
     }
-    figures->bytes = s51_receive(sim, text, sizeof text - 1);
+    figures->bytes = sim_receive(sim, text, sizeof text - 1);
     for (size_t i = 0; i < figures->bytes; i++) {
         figures->hash = mix(figures->hash, (uint64_t)text[i]);
     }
     figures->pulse_us = figures->bytes > 0 ? atof(text) : NAN;
     figures->tick_us = edges > 1 ? (double)(last_ns - first_ns) * 1e-3 / (double)(edges - 1) : NAN;
-    return S51_RAN;
+    return SIM_RAN;
 }
 
 static int run_once(struct figures *figures)
 {
     static const uint8_t watch[] = {0x90}, drive[] = {0xB2};
     char path[512];
-    const struct s51_setup setup = {.hex = path,
-                                    .type = "C52",
+    const struct sim_setup setup = {.hex = path,
+                                    .s51_type = "C52",
                                     .clk_hz = CLK_HZ,
                                     .watch = watch,
                                     .watch_count = 1,
                                     .drive = drive,
                                     .drive_count = 1};
-    struct s51 sim;
-    enum s51_status status;
+    struct sim *sim;
+    enum sim_status status;
 
     memset(figures, 0, sizeof *figures);
     image_path(path, sizeof path);
-    if (s51_start(&sim, &setup) != EXIT_FINE) {
+    if (sim_start(&s51_engine, &sim, &setup) != EXIT_FINE) {
         return EXIT_USAGE;
     }
-    status = observe(&sim, figures);
-    s51_stop(&sim);
-    return status == S51_FAILED ? EXIT_USAGE : EXIT_FINE;
+    status = observe(sim, figures);
+    sim_stop(sim);
+    return status == SIM_FAILED ? EXIT_USAGE : EXIT_FINE;
 }
 
 /* Says what is wrong with SECOND, in words that follow "s51 VERSION"; "" when nothing is. */

@@ -1,7 +1,9 @@
 #include "s51.h"
 
+#include "canary.h"
 #include "diag.h"
 #include "hexfile.h"
+#include "vcd.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -15,16 +17,46 @@
 #include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 /* A watchdog reset takes simulated time back to 0. A change that is written late, by up to 0.5 us
  * in version 0.8.15, is none: no reset comes so early. */
-enum { PROBES = 8, CLOCKS_PER_CYCLE = 12, LATE_NS = 100000 };
+enum {
+    PROBES = 8,
+    CLOCKS_PER_CYCLE = 12,
+    LATE_NS = 100000,
+    SILENCE_MS = 500,
+    BYTE_NS = 1100000 /* a byte on the serial line, at 9600 Bd, and some more */
+};
 
 /* The names of the program: Debian 12's and Debian 13's. tools/s51 looks for the same. */
 static char *const program_names[] = {"s51", "ucsim_51"};
 enum { PROGRAM_NAMES = sizeof program_names / sizeof program_names[0] };
+struct s51 {
+    struct sim base;
+    pid_t pid;
+    int pid_fd, out_fd, in_fd, stdin_fd, log_fd, uart_fd, send_fd;
+    char folder[128];
+    int watch_count;
+    bool levels[SIM_MAX_PINS]; /* of the watched pins, as last reported */
+    int watch_vars[SIM_MAX_PINS];
+    int sync_var;
+    bool sync_level; /* what sync is set to next */
+    bool marker_seen;
+    int64_t marker_ns;
+    bool was_reset;
+    int silences, waits;  /* how often nothing came, one after the other; and it slept */
+    double silent_from_s; /* its processor time then */
+    struct vcd_reader vcd;
+    char text[4096]; /* for the in FIFO, not yet sent */
+    size_t text_length;
+    int64_t text_ns; /* time of its last stamp */
+    off_t uart_offset;
+    bool listening; /* s51 looks for serial bytes in each cycle */
+    int64_t listen_until_ns;
+};
 
 static volatile sig_atomic_t interrupted;
 
@@ -120,7 +152,7 @@ static enum wait_result wait_for_bytes(int fd, int ended_fd)
     int ready;
 
     do {
-        ready = interrupted ? -1 : poll(requests, 2, S51_SILENCE_MS);
+        ready = interrupted ? -1 : poll(requests, 2, SILENCE_MS);
     } while (ready < 0 && errno == EINTR && !interrupted);
     if (ready < 0) {
         return WAIT_INTERRUPTED;
@@ -224,7 +256,7 @@ static int choose_probes(const struct hexfile *hex, uint16_t probes[PROBES])
     return count;
 }
 
-static bool write_start_file(const struct s51 *sim, const struct s51_setup *setup,
+static bool write_start_file(const struct s51 *sim, const struct sim_setup *setup,
                              const uint16_t *probes, int probe_count)
 {
     char path[sizeof sim->folder + 16], name[24];
@@ -266,7 +298,7 @@ static const char *temporary_parent(void)
 
 /* The folder with FIFOs and start file; the FIFOs are opened here so that s51 never waits for us.
  */
-static bool make_folder(struct s51 *sim, const struct s51_setup *setup, const struct hexfile *hex)
+static bool make_folder(struct s51 *sim, const struct sim_setup *setup, const struct hexfile *hex)
 {
     uint16_t probes[PROBES];
     char *image = realpath(setup->hex, NULL);
@@ -311,12 +343,12 @@ static void remove_folder(struct s51 *sim)
     sim->folder[0] = '\0';
 }
 
-static bool spawn_s51(struct s51 *sim, const struct s51_setup *setup)
+static bool spawn_s51(struct s51 *sim, const struct sim_setup *setup)
 {
     char clock[24];
     char uart[] = "uart=0,in=rx,out=tx";
     char *arguments[] = {
-        "s51", "-t", (char *)setup->type, "-X", clock, "-R", "1", "-S", uart, "-C", "start",
+        "s51", "-t", (char *)setup->s51_type, "-X", clock, "-R", "1", "-S", uart, "-C", "start",
         "-g",  NULL};
     int input[2], reason;
 
@@ -363,10 +395,10 @@ static void last_words(const struct s51 *sim, char words[120])
     }
 }
 
-static enum s51_status failed(const struct s51 *sim, const char *format, ...)
+static enum sim_status failed(const struct s51 *sim, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-static enum s51_status failed(const struct s51 *sim, const char *format, ...)
+static enum sim_status failed(const struct s51 *sim, const char *format, ...)
 {
     char what[200], words[120];
     va_list arguments;
@@ -376,10 +408,10 @@ static enum s51_status failed(const struct s51 *sim, const char *format, ...)
     va_end(arguments);
     last_words(sim, words);
     diag_error("s51", 0, "%s; it said last: %s", what, words);
-    return S51_FAILED;
+    return SIM_FAILED;
 }
 
-static enum s51_status died(struct s51 *sim)
+static enum sim_status died(struct s51 *sim)
 {
     int status = 0;
     pid_t reaped;
@@ -390,40 +422,19 @@ static enum s51_status died(struct s51 *sim)
     }
     if (reaped != sim->pid) {
         return failed(sim, "closed its output at %.6f s; run it again",
-                      (double)sim->sync_ns * 1e-9);
+                      (double)sim->base.now_ns * 1e-9);
     }
     sim->pid = 0;
     if (WIFSIGNALED(status)) {
         return failed(sim, "died of signal %d (%s) at %.6f s; does it know the chip (s51 -H)?",
-                      WTERMSIG(status), strsignal(WTERMSIG(status)), (double)sim->sync_ns * 1e-9);
+                      WTERMSIG(status), strsignal(WTERMSIG(status)),
+                      (double)sim->base.now_ns * 1e-9);
     }
     return failed(sim, "ended with status %d at %.6f s; does it know the chip (s51 -H)?",
-                  WEXITSTATUS(status), (double)sim->sync_ns * 1e-9);
+                  WEXITSTATUS(status), (double)sim->base.now_ns * 1e-9);
 }
 
 /* --- lockstep ----------------------------------------------------------------------------- */
-
-/* Grid point N, half way between two machine cycles, rounded to 1 ns. */
-static int64_t grid_point_ns(const struct s51 *sim, int64_t n)
-{
-    const __int128 half_cycle = CLOCKS_PER_CYCLE * (__int128)1000000000 / 2; /* ns times Hz */
-
-    return (int64_t)(((2 * n + 1) * half_cycle + sim->clk_hz / 2) / sim->clk_hz);
-}
-
-int64_t s51_grid_ns(const struct s51 *sim, int64_t time_ns)
-{
-    const __int128 cycle = CLOCKS_PER_CYCLE * (__int128)1000000000;
-    int64_t n = (int64_t)((__int128)time_ns * sim->clk_hz / cycle);
-
-    while (n > 0 && grid_point_ns(sim, n - 1) >= time_ns) {
-        n--;
-    }
-    while (grid_point_ns(sim, n) < time_ns) {
-        n++;
-    }
-    return grid_point_ns(sim, n);
-}
 
 static void add_text(struct s51 *sim, int64_t time_ns, char value, char id)
 {
@@ -442,26 +453,27 @@ static void add_text(struct s51 *sim, int64_t time_ns, char value, char id)
     sim->text_length += (size_t)length;
 }
 
-void s51_set_pin(struct s51 *sim, int64_t time_ns, int drive, bool level)
+static void set_pin(struct sim *base, int64_t time_ns, int drive, bool level)
 {
-    int64_t earliest_ns = sim->text_ns > sim->sync_ns ? sim->text_ns : sim->sync_ns + 1;
+    struct s51 *sim = (struct s51 *)base;
+    int64_t earliest_ns = sim->text_ns > sim->base.now_ns ? sim->text_ns : sim->base.now_ns + 1;
 
     if (time_ns < earliest_ns) {
         time_ns = earliest_ns;
     }
-    add_text(sim, s51_grid_ns(sim, time_ns), level ? '1' : '0', (char)('!' + drive));
+    add_text(sim, sim_grid_ns(&sim->base, time_ns), level ? '1' : '0', (char)('!' + drive));
 }
 
 static void note_change(void *user, int64_t time_ns, int var, uint32_t value)
 {
     struct s51 *sim = user;
 
-    if (time_ns < sim->last_ns - LATE_NS) {
+    if (time_ns < sim->base.last_ns - LATE_NS) {
         sim->was_reset = true;
-    } else if (time_ns < sim->last_ns) {
-        time_ns = sim->last_ns;
+    } else if (time_ns < sim->base.last_ns) {
+        time_ns = sim->base.last_ns;
     }
-    sim->last_ns = time_ns;
+    sim->base.last_ns = time_ns;
     if (sim->sync_var < 0) {
         char name[24];
 
@@ -480,14 +492,7 @@ static void note_change(void *user, int64_t time_ns, int var, uint32_t value)
             continue;
         }
         sim->levels[i] = value != 0;
-        if (sim->edge_count == sim->edge_capacity) {
-            sim->edge_capacity = sim->edge_capacity * 2 + 64;
-            sim->edges = realloc(sim->edges, sim->edge_capacity * sizeof sim->edges[0]);
-            if (sim->edges == NULL) {
-                abort();
-            }
-        }
-        sim->edges[sim->edge_count++] = (struct s51_edge){time_ns, i, value != 0, sim->was_reset};
+        sim_add_edge(&sim->base, &(struct sim_edge){time_ns, i, value != 0, sim->was_reset});
     }
 }
 
@@ -513,7 +518,7 @@ static char process_state(pid_t pid, double *used_s)
 
 /* Nothing came for a while. It hangs if it has run for 3 s without a word or waits for nothing; if
  * the machine gave it no time to run, it gets a minute. */
-static enum s51_status judge_silence(struct s51 *sim)
+static enum sim_status judge_silence(struct s51 *sim)
 {
     double used_s;
     char state = process_state(sim->pid, &used_s);
@@ -526,24 +531,24 @@ static enum s51_status judge_silence(struct s51 *sim)
         sim->waits++;
     }
     if (used_s - sim->silent_from_s < 2.5 && sim->waits < 6 && sim->silences < 120) {
-        return S51_RAN;
+        return SIM_RAN;
     }
     return failed(sim,
                   "hangs: no sign for %.0f s, last pin change at %.6f s, process state %c; is "
                   "the chip powered down?",
-                  sim->silences * S51_SILENCE_MS * 1e-3, (double)sim->last_ns * 1e-9, state);
+                  sim->silences * SILENCE_MS * 1e-3, (double)sim->base.last_ns * 1e-9, state);
 }
 
 /* Waits for what s51 writes, and takes it. */
-static enum s51_status read_changes(struct s51 *sim)
+static enum sim_status read_changes(struct s51 *sim)
 {
     char bytes[4096];
     ssize_t got;
 
     switch (wait_for_bytes(sim->out_fd, sim->pid_fd)) {
     case WAIT_INTERRUPTED:
-        diag_error("s51", 0, "interrupted at %.6f s", (double)sim->sync_ns * 1e-9);
-        return S51_FAILED;
+        diag_error("s51", 0, "interrupted at %.6f s", (double)sim->base.now_ns * 1e-9);
+        return SIM_FAILED;
     case WAIT_SILENCE:
         return judge_silence(sim);
     case WAIT_ENDED:
@@ -556,26 +561,26 @@ static enum s51_status read_changes(struct s51 *sim)
     if (got > 0 && !vcd_feed(&sim->vcd, bytes, (size_t)got, note_change, sim)) {
         return failed(sim, "does not write a value change dump; install version %s", S51_VERSIONS);
     }
-    return S51_RAN;
+    return SIM_RAN;
 }
 
-static enum s51_status wait_for_marker(struct s51 *sim)
+static enum sim_status wait_for_marker(struct s51 *sim)
 {
-    int64_t tolerance_ns = 2 * CLOCKS_PER_CYCLE * 1000000000LL / sim->clk_hz;
+    int64_t tolerance_ns = 2 * CLOCKS_PER_CYCLE * 1000000000LL / sim->base.clk_hz;
 
     while (!sim->marker_seen && !sim->was_reset) {
-        if (read_changes(sim) != S51_RAN) {
-            return S51_FAILED;
+        if (read_changes(sim) != SIM_RAN) {
+            return SIM_FAILED;
         }
     }
     if (sim->was_reset) {
-        return S51_RESET;
+        return SIM_RESET;
     }
-    if (llabs(sim->marker_ns - sim->sync_ns) > tolerance_ns) {
+    if (llabs(sim->marker_ns - sim->base.now_ns) > tolerance_ns) {
         return failed(sim, "stands at %.6f s and not at %.6f s; install version %s",
-                      (double)sim->marker_ns * 1e-9, (double)sim->sync_ns * 1e-9, S51_VERSIONS);
+                      (double)sim->marker_ns * 1e-9, (double)sim->base.now_ns * 1e-9, S51_VERSIONS);
     }
-    return S51_RAN;
+    return SIM_RAN;
 }
 
 static bool send_text(struct s51 *sim)
@@ -596,9 +601,10 @@ static bool send_text(struct s51 *sim)
     return true;
 }
 
-enum s51_status s51_run_to(struct s51 *sim, int64_t time_ns)
+static enum sim_status run_to(struct sim *base, int64_t time_ns)
 {
-    int64_t next_ns = s51_grid_ns(sim, time_ns);
+    struct s51 *sim = (struct s51 *)base;
+    int64_t next_ns = sim_grid_ns(&sim->base, time_ns);
 
     if (next_ns < sim->text_ns) {
         next_ns = sim->text_ns;
@@ -609,30 +615,31 @@ enum s51_status s51_run_to(struct s51 *sim, int64_t time_ns)
         add_text(sim, next_ns, '0', '}');
         sim->listening = false;
     }
-    sim->sync_ns = next_ns;
+    sim->base.now_ns = next_ns;
     sim->marker_seen = false;
-    sim->edge_count = 0;
     if (!send_text(sim)) {
         return failed(sim, "cannot be written to: %s", strerror(errno));
     }
     return wait_for_marker(sim);
 }
 
-enum s51_status s51_run_after_reset(struct s51 *sim, int64_t window_ns)
+static enum sim_status run_after_reset(struct sim *base, int64_t window_ns)
 {
-    sim->edge_count = 0;
-    while (!sim->marker_seen && sim->last_ns < window_ns) {
-        if (read_changes(sim) != S51_RAN) {
-            return S51_FAILED;
+    struct s51 *sim = (struct s51 *)base;
+
+    while (!sim->marker_seen && sim->base.last_ns < window_ns) {
+        if (read_changes(sim) != SIM_RAN) {
+            return SIM_FAILED;
         }
     }
-    return S51_RAN;
+    return SIM_RAN;
 }
 
 /* --- serial line -------------------------------------------------------------------------- */
 
-size_t s51_receive(struct s51 *sim, char *bytes, size_t size)
+static size_t receive(struct sim *base, char *bytes, size_t size)
 {
+    struct s51 *sim = (struct s51 *)base;
     ssize_t got = pread(sim->uart_fd, bytes, size, sim->uart_offset);
 
     if (got <= 0) {
@@ -642,16 +649,18 @@ size_t s51_receive(struct s51 *sim, char *bytes, size_t size)
     return (size_t)got;
 }
 
-void s51_send(struct s51 *sim, const char *bytes, size_t size)
+static void send(struct sim *base, const char *bytes, size_t size)
 {
+    struct s51 *sim = (struct s51 *)base;
+
     if (size == 0) {
         return;
     }
     if (!sim->listening) {
-        add_text(sim, s51_grid_ns(sim, sim->sync_ns + 1), '1', '}');
+        add_text(sim, sim_grid_ns(&sim->base, sim->base.now_ns + 1), '1', '}');
     }
     sim->listening = true;
-    sim->listen_until_ns = sim->sync_ns + (int64_t)(size + 1) * S51_BYTE_NS;
+    sim->listen_until_ns = sim->base.now_ns + (int64_t)(size + 1) * BYTE_NS;
     while (size > 0) {
         ssize_t put = write(sim->send_fd, bytes, size);
 
@@ -685,7 +694,7 @@ static bool is_loaded(const struct s51 *sim, const struct hexfile *hex)
     return true;
 }
 
-static enum s51_status first_sync(struct s51 *sim, const struct s51_setup *setup)
+static enum sim_status first_sync(struct s51 *sim, const struct sim_setup *setup)
 {
     char name[24];
 
@@ -702,23 +711,63 @@ static enum s51_status first_sync(struct s51 *sim, const struct s51_setup *setup
                         setup->uart_in ? "$var wire 8 } uart0_check_often $end\n" : "");
     /* s51 takes the first stamp's values while it opens the file, and reports none of them. */
     for (int i = 0; i < setup->drive_count; i++) {
-        s51_set_pin(sim, 1, i, (setup->levels >> i & 1) != 0);
+        set_pin(&sim->base, 1, i, (setup->levels >> i & 1) != 0);
     }
-    return s51_run_to(sim, sim->text_ns + 1);
+    return run_to(&sim->base, sim->text_ns + 1);
 }
 
-int s51_start(struct s51 *sim, const struct s51_setup *setup)
+static int start_process(struct s51 *sim, const struct sim_setup *setup, const struct hexfile *hex)
+{
+    if (!make_folder(sim, setup, hex)) {
+        diag_error(temporary_parent(), 0, "no room for the simulator's files: %s; set TMPDIR",
+                   strerror(errno));
+        return EXIT_USAGE;
+    }
+    if (!spawn_s51(sim, setup)) {
+        return no_s51(errno);
+    }
+    if (first_sync(sim, setup) != SIM_RAN) {
+        return EXIT_USAGE;
+    }
+    if (!is_loaded(sim, hex)) {
+        failed(sim, "has not loaded '%s'; install version %s", setup->hex, S51_VERSIONS);
+        return EXIT_USAGE;
+    }
+    return EXIT_FINE;
+}
+
+static void stop(struct sim *base)
+{
+    struct s51 *sim = (struct s51 *)base;
+    int *const handles[] = {&sim->out_fd, &sim->in_fd,   &sim->stdin_fd, &sim->pid_fd,
+                            &sim->log_fd, &sim->uart_fd, &sim->send_fd};
+
+    if (sim->pid > 0) {
+        kill_group(sim->pid);
+    }
+    remove_folder(sim);
+    for (size_t i = 0; i < sizeof handles / sizeof handles[0]; i++) {
+        if (*handles[i] >= 0) {
+            close(*handles[i]);
+        }
+    }
+    free(base->edges);
+    free(sim);
+}
+
+static int start(struct sim **started, const struct sim_setup *setup)
 {
     static struct hexfile hex;
     int status = hexfile_read(&hex, setup->hex);
+    struct s51 *sim = status == EXIT_FINE ? calloc(1, sizeof *sim) : NULL;
 
-    memset(sim, 0, sizeof *sim);
+    if (sim == NULL) {
+        return status == EXIT_FINE ? EXIT_USAGE : status;
+    }
+    sim->base.engine = &s51_engine;
+    sim->base.clk_hz = setup->clk_hz;
     sim->out_fd = sim->in_fd = sim->stdin_fd = sim->pid_fd = -1;
     sim->log_fd = sim->uart_fd = sim->send_fd = -1;
-    if (status != EXIT_FINE) {
-        return status;
-    }
-    sim->clk_hz = setup->clk_hz;
     sim->watch_count = setup->watch_count;
     sim->sync_var = -1;
     for (int i = 0; i < setup->watch_count; i++) {
@@ -726,44 +775,22 @@ int s51_start(struct s51 *sim, const struct s51_setup *setup)
         sim->watch_vars[i] = setup->watch[i];
     }
     vcd_init(&sim->vcd);
-    if (!make_folder(sim, setup, &hex)) {
-        diag_error(temporary_parent(), 0, "no room for the simulator's files: %s; set TMPDIR",
-                   strerror(errno));
-        s51_stop(sim);
-        return EXIT_USAGE;
-    }
-    if (!spawn_s51(sim, setup)) {
-        status = no_s51(errno);
-    } else if (first_sync(sim, setup) != S51_RAN) {
-        status = EXIT_USAGE;
-    } else if (!is_loaded(sim, &hex)) {
-        failed(sim, "has not loaded '%s'; install version %s", setup->hex, S51_VERSIONS);
-        status = EXIT_USAGE;
-    }
+    status = start_process(sim, setup, &hex);
     remove_folder(sim);
     if (status != EXIT_FINE) {
-        s51_stop(sim);
+        stop(&sim->base);
+        return status;
     }
-    return status;
+    *started = &sim->base;
+    return EXIT_FINE;
 }
 
-void s51_stop(struct s51 *sim)
-{
-    int *const handles[] = {&sim->out_fd, &sim->in_fd,   &sim->stdin_fd, &sim->pid_fd,
-                            &sim->log_fd, &sim->uart_fd, &sim->send_fd};
-
-    if (sim->pid > 0) {
-        kill_group(sim->pid);
-    }
-    sim->pid = 0;
-    remove_folder(sim);
-    for (size_t i = 0; i < sizeof handles / sizeof handles[0]; i++) {
-        if (*handles[i] >= 0) {
-            close(*handles[i]);
-        }
-        *handles[i] = -1;
-    }
-    free(sim->edges);
-    sim->edges = NULL;
-    sim->edge_count = sim->edge_capacity = 0;
-}
+const struct sim_engine s51_engine = {.name = "s51",
+                                      .check = canary_check_version,
+                                      .start = start,
+                                      .set_pin = set_pin,
+                                      .run_to = run_to,
+                                      .run_after_reset = run_after_reset,
+                                      .receive = receive,
+                                      .send = send,
+                                      .stop = stop};

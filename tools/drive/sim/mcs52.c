@@ -1,0 +1,283 @@
+/* The chip as a whole: life, reset, special function registers, checkpoints. */
+#include "mcs52_inside.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { R = READ_SPECIAL, W = WRITE_SPECIAL, PORT = READ_SPECIAL | WRITE_SPECIAL | IS_PORT };
+
+const uint8_t mcs52_special[256] = {
+    [P0] = PORT,   [P1] = PORT,   [P2] = PORT,   [P3] = PORT,   [PCON] = W,
+    [TCON] = W,    [TMOD] = W,    [TL0] = R | W, [TL1] = R | W, [TH0] = R | W,
+    [TH1] = R | W, [SCON] = W,    [SBUF] = W,    [WDTRST] = W,  [IE] = W,
+    [IP] = W,      [T2CON] = W,   [T2MOD] = W,   [RCAP2L] = W,  [RCAP2H] = W,
+    [TL2] = R | W, [TH2] = R | W, [PSW] = R | W, [ACC] = R | W, [WDT_CONTR] = W};
+
+/* --- special function registers ----------------------------------------------------------- */
+
+uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t now)
+{
+    if (mcs52_special[address] & IS_PORT) {
+        return chip->pins[(address - P0) / 16];
+    }
+    mcs52_timers_sync(chip, now);
+    return chip->sfr[address];
+}
+
+/* By level, IE0 and IE1 are the pins. */
+static void follow_pins(struct mcs52 *chip)
+{
+    static const struct {
+        uint8_t pin, type, flag;
+    } inputs[] = {{P3_INT0, TCON_IT0, TCON_IE0}, {P3_INT1, TCON_IT1, TCON_IE1}};
+
+    for (int i = 0; i < 2; i++) {
+        if (!(chip->sfr[TCON] & inputs[i].type)) {
+            bool is_low = !(chip->pins[3] & inputs[i].pin);
+            uint8_t others = chip->sfr[TCON] & (uint8_t)~inputs[i].flag;
+
+            chip->sfr[TCON] = (uint8_t)(others | (is_low ? inputs[i].flag : 0));
+        }
+    }
+}
+
+static void settle_power(struct mcs52 *chip, uint64_t end)
+{
+    if (chip->sfr[PCON] & PCON_PD) {
+        mcs52_power_down(chip, end);
+    } else if (chip->sfr[PCON] & PCON_IDL) {
+        chip->idle = true;
+        mcs52_watchdog_stand(chip, end);
+        mcs52_attend(chip);
+    }
+}
+
+/* A register on which timers, the serial port or interrupts depend becomes VALUE at END. */
+void mcs52_settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end)
+{
+    uint8_t old = chip->sfr[address];
+
+    mcs52_uart_advance(chip, end);
+    mcs52_timers_sync(chip, end - 1);
+    chip->sfr[address] = value;
+    switch (address) {
+    case TCON:
+        follow_pins(chip);
+        mcs52_requests_of(chip, TCON, end);
+        break;
+    case SCON:
+        mcs52_requests_of(chip, SCON, end);
+        mcs52_uart_control(chip, old, end);
+        break;
+    case T2CON:
+    case T2MOD:
+        mcs52_requests_of(chip, T2CON, end);
+        break;
+    case PCON:
+        settle_power(chip, end);
+        break;
+    case IE:
+    case IP:
+        mcs52_hold(chip, end);
+        break;
+    default:
+        break;
+    }
+    mcs52_timers_plan(chip);
+    mcs52_uart_plan(chip, end);
+}
+
+void mcs52_write(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end)
+{
+    if (end > 0) {
+        mcs52_catch_up(chip, end - 1);
+    }
+    if (mcs52_special[address] & IS_PORT) {
+        chip->sfr[address] = value;
+        mcs52_pins_update(chip, (address - P0) / 16, end);
+    } else if (address == SBUF) {
+        mcs52_uart_send(chip, value, end);
+    } else if (address == WDTRST || address == WDT_CONTR) {
+        mcs52_watchdog_write(chip, address, value, end);
+    } else {
+        mcs52_settle(chip, address, value, end);
+    }
+}
+
+uint8_t mcs52_sfr(struct mcs52 *chip, uint8_t address)
+{
+    switch (address) {
+    case ACC:
+        return chip->a;
+    case PSW:
+        return (uint8_t)(chip->psw | __builtin_parity(chip->a));
+    default:
+        mcs52_catch_up(chip, chip->now);
+        return mcs52_special[address] & READ_SPECIAL && !(mcs52_special[address] & IS_PORT)
+                   ? mcs52_read(chip, address, chip->now)
+                   : chip->sfr[address];
+    }
+}
+
+void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value)
+{
+    switch (address) {
+    case ACC:
+        chip->a = value;
+        break;
+    case PSW:
+        chip->psw = value & (uint8_t)~PSW_P;
+        break;
+    case SBUF:
+    case WDTRST:
+    case WDT_CONTR:
+        chip->sfr[address] = value;
+        break;
+    default:
+        if (mcs52_special[address] != 0) {
+            mcs52_write(chip, address, value, chip->now);
+        }
+        chip->sfr[address] = value;
+        break;
+    }
+}
+
+void mcs52_jump(struct mcs52 *chip, uint16_t pc)
+{
+    chip->pc = pc;
+}
+
+/* --- reset -------------------------------------------------------------------------------- */
+
+/* [I], reset values; RAM, SBUF and what only power clears stay. */
+void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause)
+{
+    uint8_t pof = chip->sfr[PCON] & PCON_POF, flag = chip->sfr[WDT_CONTR] & WDT_FLAG;
+    uint8_t received = chip->sfr[SBUF];
+    uint64_t pin_due = chip->due[EVENT_PIN], fault_due = chip->due[EVENT_FAULT];
+
+    memset(chip->sfr, 0, sizeof chip->sfr);
+    chip->sfr[SBUF] = received;
+    chip->sfr[SP] = 7;
+    if (chip->part != MCS52_INTEL) {
+        chip->sfr[PCON] = cause == MCS52_POWER ? PCON_POF : pof;
+    }
+    if (chip->part == MCS52_STC89) {
+        chip->sfr[WDT_CONTR] = cause == MCS52_WATCHDOG ? WDT_FLAG : flag;
+    }
+    chip->cause = cause;
+    chip->pc = 0;
+    chip->a = chip->psw = 0;
+    chip->idle = chip->power_down = chip->poll = chip->bitten = false;
+    chip->in_service = 0;
+    chip->held = NEVER;
+    chip->watchdog_last = 0;
+    chip->watchdog_left = NEVER;
+    chip->t1_overflows = 0;
+    for (int source = 0; source < SOURCES; source++) {
+        chip->on[source] = chip->off[source] = NEVER;
+    }
+    for (int event = 0; event < EVENTS; event++) {
+        chip->due[event] = NEVER;
+    }
+    chip->due[EVENT_PIN] = pin_due;
+    chip->due[EVENT_FAULT] = fault_due;
+    for (int n = 0; n < 3; n++) {
+        chip->timer_at[n] = chip->now;
+    }
+    chip->tx_clock.phase = chip->rx_clock.phase = 0;
+    mcs52_uart_plan(chip, chip->now);
+    mcs52_uart_break(chip, chip->now);
+    for (int port = 0; port < 4; port++) {
+        chip->sfr[P0 + 16 * port] = chip->alternate[port] = 0xFF;
+        mcs52_pins_update(chip, port, chip->now);
+    }
+    follow_pins(chip);
+    mcs52_requests_of(chip, TCON, chip->now);
+    mcs52_attend(chip);
+}
+
+void mcs52_reset(struct mcs52 *chip)
+{
+    mcs52_restart(chip, MCS52_PIN);
+}
+
+enum mcs52_reset mcs52_reset_cause(const struct mcs52 *chip)
+{
+    return chip->cause;
+}
+
+/* --- life --------------------------------------------------------------------------------- */
+
+struct mcs52 *mcs52_create(enum mcs52_part part, const struct mcs52_outside *outside)
+{
+    struct mcs52 *chip = calloc(1, sizeof *chip);
+
+    if (chip == NULL) {
+        return NULL;
+    }
+    chip->part = part;
+    if (outside != NULL) {
+        chip->outside = *outside;
+    }
+    chip->xdata_watch = MCS52_XDATA_BYTES;
+    chip->due[EVENT_PIN] = chip->due[EVENT_FAULT] = NEVER;
+    memset(chip->outside_pins, 0xFF, sizeof chip->outside_pins);
+    memset(chip->alternate, 0xFF, sizeof chip->alternate);
+    memset(chip->pins, 0xFF, sizeof chip->pins);
+    mcs52_restart(chip, MCS52_POWER);
+    return chip;
+}
+
+void mcs52_destroy(struct mcs52 *chip)
+{
+    free(chip);
+}
+
+void mcs52_load(struct mcs52 *chip, uint16_t address, const uint8_t *code, size_t size)
+{
+    for (size_t i = 0; i < size; i++) {
+        chip->code[(address + i) & 0xFFFF] = code[i];
+    }
+    memcpy(chip->code + MCS52_CODE_BYTES, chip->code, sizeof chip->code - MCS52_CODE_BYTES);
+}
+
+void mcs52_watch_xdata(struct mcs52 *chip, uint16_t address)
+{
+    chip->xdata_watch = address;
+}
+
+void mcs52_cover(struct mcs52 *chip, uint8_t *map)
+{
+    chip->covered = map;
+}
+
+uint64_t mcs52_cycles(const struct mcs52 *chip)
+{
+    return chip->now;
+}
+
+uint64_t mcs52_instructions(const struct mcs52 *chip)
+{
+    return chip->instructions;
+}
+
+uint16_t mcs52_pc(const struct mcs52 *chip)
+{
+    return chip->pc;
+}
+
+bool mcs52_is_asleep(const struct mcs52 *chip)
+{
+    return chip->idle || chip->power_down;
+}
+
+uint8_t *mcs52_ram(struct mcs52 *chip)
+{
+    return chip->ram;
+}
+
+uint8_t *mcs52_xdata(struct mcs52 *chip)
+{
+    return chip->xdata;
+}

@@ -1,0 +1,124 @@
+/* Faults put into the chip: bits that flip once or stick. */
+#include "mcs52_inside.h"
+
+static unsigned bits_at(const struct mcs52_fault *fault)
+{
+    return fault->place == MCS52_IN_PC ? 16 : 8;
+}
+
+static unsigned read_place(struct mcs52 *chip, const struct mcs52_fault *fault)
+{
+    switch (fault->place) {
+    case MCS52_IN_RAM:
+        return chip->ram[fault->address];
+    case MCS52_IN_SFR:
+        return mcs52_sfr(chip, (uint8_t)fault->address);
+    case MCS52_IN_REGISTER:
+        return chip->ram[(chip->psw & PSW_BANK) + fault->address];
+    case MCS52_IN_PC:
+        return chip->pc;
+    default:
+        return chip->xdata[fault->address];
+    }
+}
+
+static void write_place(struct mcs52 *chip, const struct mcs52_fault *fault, unsigned value)
+{
+    switch (fault->place) {
+    case MCS52_IN_RAM:
+        chip->ram[fault->address] = (uint8_t)value;
+        break;
+    case MCS52_IN_SFR:
+        mcs52_poke(chip, (uint8_t)fault->address, (uint8_t)value);
+        break;
+    case MCS52_IN_REGISTER:
+        chip->ram[(chip->psw & PSW_BANK) + fault->address] = (uint8_t)value;
+        break;
+    case MCS52_IN_PC:
+        chip->pc = (uint16_t)value;
+        break;
+    default:
+        chip->xdata[fault->address] = (uint8_t)value;
+        break;
+    }
+}
+
+static void force(struct mcs52 *chip, const struct mcs52_fault *fault)
+{
+    unsigned old = read_place(chip, fault), bit = 1u << fault->bit;
+    unsigned value = fault->kind == MCS52_FLIP        ? old ^ bit
+                     : fault->kind == MCS52_STUCK_LOW ? old & ~bit
+                                                      : old | bit;
+
+    if (value != old) {
+        write_place(chip, fault, value);
+    }
+}
+
+static void plan(struct mcs52 *chip)
+{
+    uint64_t first = NEVER;
+
+    chip->stuck = chip->by_count = false;
+    for (int i = 0; i < chip->fault_count; i++) {
+        const struct mcs52_fault *fault = &chip->faults[i];
+
+        chip->stuck = chip->stuck || fault->kind != MCS52_FLIP;
+        if (chip->fault_done[i]) {
+            continue;
+        }
+        if (fault->counts_instructions) {
+            chip->by_count = true;
+        } else if (fault->when < first) {
+            first = fault->when;
+        }
+    }
+    mcs52_schedule(chip, EVENT_FAULT, first);
+}
+
+/* At the begin of an instruction: all faults whose time has come, and each stuck bit again. */
+void mcs52_faults_strike(struct mcs52 *chip)
+{
+    for (int i = 0; i < chip->fault_count; i++) {
+        const struct mcs52_fault *fault = &chip->faults[i];
+        bool is_due = (fault->counts_instructions ? chip->instructions : chip->now) >= fault->when;
+
+        if (is_due && (fault->kind != MCS52_FLIP || !chip->fault_done[i])) {
+            chip->fault_done[i] = true;
+            force(chip, fault);
+        }
+    }
+    plan(chip);
+}
+
+static bool exists(const struct mcs52_fault *fault)
+{
+    static const struct {
+        unsigned first, last;
+    } addresses[] = {[MCS52_IN_RAM] = {0, 0xFF},
+                     [MCS52_IN_SFR] = {0x80, 0xFF},
+                     [MCS52_IN_REGISTER] = {0, 7},
+                     [MCS52_IN_PC] = {0, 0xFFFF},
+                     [MCS52_IN_XDATA] = {0, 0xFFFF}};
+
+    return fault->bit >= 0 && (unsigned)fault->bit < bits_at(fault) &&
+           fault->address >= addresses[fault->place].first &&
+           fault->address <= addresses[fault->place].last;
+}
+
+bool mcs52_inject(struct mcs52 *chip, const struct mcs52_fault *fault)
+{
+    if (chip->fault_count == MCS52_FAULTS || !exists(fault)) {
+        return false;
+    }
+    chip->fault_done[chip->fault_count] = false;
+    chip->faults[chip->fault_count++] = *fault;
+    plan(chip);
+    return true;
+}
+
+void mcs52_heal(struct mcs52 *chip)
+{
+    chip->fault_count = 0;
+    plan(chip);
+}
