@@ -2,7 +2,7 @@
 # and .bound.
 
 # A controller is a folder with a main.c and a NAME.mk, which says what its images are made of.
-LIB_MODULES := $(addprefix lib/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
+LIB_MODULES := $(addprefix lib/,fixed identity lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
 CONTROLLERS := $(patsubst firmware/%/main.c,%,$(wildcard firmware/*/main.c))
 include firmware/pins.mk firmware/frames/frames.mk $(foreach name,$(CONTROLLERS),firmware/$(name)/$(name).mk)
 ALL_IMAGES  := $(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name)))
@@ -31,9 +31,13 @@ else
 include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
-SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
-    -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) -DFUZZY51_VERSION='"$(VERSION)"' -DBOARD_NAME='"$(BOARD)"' $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
-SDCC_LINK  := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
+SDCC_FLAGS = --i-code-in-asm -DIDENTITY_AT=$(IDENTITY_AT) -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
+    -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
+# Who an image is, but for its table (identity.h). The text follows the vectors of an 8052's six
+# interrupts and the jump to main; the linker puts all other code behind it.
+IDENTITY_AT := 0x32
+identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz
+SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
 firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
 
@@ -41,16 +45,19 @@ firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
 define compile_rules
 $(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(SDCC) $(SDCC_FLAGS) -DAPP_NAME='"$(1)"' $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
+	$$(Q)$(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
 endef
 define image_rules
 $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	@mkdir -p $$(@D)
 	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
 $(call compile_rules,$(1),firmware/)
+$(OUT)/$(1)/lib/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"' -DIDENTITY_BYTES=$$(IDENTITY_BYTES)
+$(OUT)/$(1)/lib/identity.rel $(OUT)/$(1).ihx: IDENTITY_BYTES = $$(shell printf '%s table=0xFFFF.' '$(identity_of)' | wc -c)
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
 	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
-	$$(Q)$(SDCC) $(SDCC_LINK) $$(filter %.rel,$$^) -o $$@ || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
+	$$(Q)$(SDCC) $(SDCC_LINK) -Wl-bGSINIT0=$$$$(($(IDENTITY_AT) + $$(IDENTITY_BYTES))) $$(filter %.rel,$$^) -o $$@ && \
+	    (( $$$$(awk '$$$$1 == "ROM/EPROM/FLASH" { print $$$$3 }' $$(@:.ihx=.mem)) < $(CODE_BYTES) )) || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
 	$$(Q)build/bound --iram=$(IRAM_BYTES) $($(1)_CYCLES:%=--cycles=%) --round=main $$@ $$(@:.ihx=.map) \
 	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
 endef

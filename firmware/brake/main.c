@@ -2,16 +2,12 @@
 #include "brake.h"
 #include "closing.h"
 #include "hal.h"
+#include "identity.h"
 #include "lamp.h"
-#include "lut_table.h"
 #include "range.h"
 #include "selftest.h"
 #include "telemetry.h"
 
-#ifndef APP_NAME /* what its law is called, where that is not the published table */
-#define APP_NAME "brake"
-#endif
-#define VERSION    "fuzzy51 " FUZZY51_VERSION " " APP_NAME
 #define CONTROL_MS 60U  /* the sensor's pace */
 #define SETTLE_MS  60U  /* from the brake's release after the self-test to the first measurement */
 #define IDLE_MS    100U /* an echo cut off by a reset is over by then */
@@ -39,7 +35,7 @@ static bool is_talking;
 static char command; /* waits for the line under way to end; 0: none */
 #define SAY_HEADER '\1'
 
-static const char __code TITLE[] = "# " VERSION " %s table=%x reset=%s\r\n";
+static const char __code TITLE[] = "# %s reset=%s\r\n";
 static const char __code HEADER[] = "seq,ms,dist_mm,closing_mmps,row,col,brake_pct,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%o,%s%u,%u,%u,%u,%s,%u\r\n";
 static const char __code STATUS[] = "# state=%s fault=%u dropped=%u stack_unused=%u\r\n";
@@ -47,7 +43,6 @@ static const char __code HELP[] = "# ? help, v version, s status, t telemetry on
 static const char __code UNKNOWN[] = "# unknown command; ? for help\r\n";
 static const char __code ON[] = "# telemetry on\r\n";
 static const char __code OFF[] = "# telemetry off\r\n";
-static const char __code BOARD[] = BOARD_NAME;
 static const char __code *const __code STATES[] = {"RELEASED", "CONTROL", "STOP", "FAULT"};
 static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
 
@@ -210,9 +205,8 @@ static void listen(void)
 
 static void title(void)
 {
-    telemetry_values[0].text = BOARD;
-    telemetry_values[1].number = LUT_CRC16;
-    telemetry_values[2].text = RESETS[hal_reset_cause()];
+    telemetry_values[0].text = identity;
+    telemetry_values[1].text = RESETS[hal_reset_cause()];
     telemetry_say(TITLE);
 }
 

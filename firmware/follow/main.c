@@ -4,9 +4,7 @@
 #include "follow.h"
 
 #ifdef FOLLOW_AS_PUBLISHED
-static const char __code NAME[] = "follow_paper";
 #else
-static const char __code NAME[] = "follow";
 #endif
 static const char __code HEADER[] =
     "seq,ms,gap_mm,own_mmps,lead_mmps,command,change,brake_pct,state,fault\r\n";
@@ -15,7 +13,7 @@ static const char __code *const __code STATES[] = {"WAITING", "CONTROL", "FAULT"
 static const char __code *const __code COMMANDS[] = {"-1", "-0.5", "0", "0.5", "1"};
 
 /* 100 ms */
-const struct frames_app __code app = {FRAME_FOLLOW, FOLLOW_PAYLOAD_BYTES, 10, NAME, HEADER, LINE};
+const struct frames_app __code app = {FRAME_FOLLOW, FOLLOW_PAYLOAD_BYTES, 10, HEADER, LINE};
 
 void app_init(void)
 {

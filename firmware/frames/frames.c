@@ -1,11 +1,9 @@
 /* The jobs of the frame-fed controllers' main loop. What is different in each controller is in its
  * own main.c, behind the functions of frames.h. */
 #include "frames.h"
+#include "identity.h"
 #include "link.h"
-#include "lut_table.h"
 #include "selftest.h"
-
-#define VERSION "fuzzy51 " FUZZY51_VERSION
 
 /* From the end of the self-test to the first trigger: the servo moves to its place. */
 #define SETTLE_MS 60U
@@ -28,8 +26,7 @@ static uint8_t fault; /* enum frames_fault */
 static __idata uint16_t seq; /* control steps reported or dropped */
 static __idata uint8_t said; /* how many of the two lines at the start were sent */
 
-static const char __code TITLE[] = "# " VERSION " %s %s table=%x reset=%s\r\n";
-static const char __code BOARD[] = BOARD_NAME;
+static const char __code TITLE[] = "# %s reset=%s\r\n";
 static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
 
 /* One line of telemetry for each control step. If the line before is still being sent, this one is
@@ -172,10 +169,8 @@ static void talk(void)
         hal_uart_put(c);
     } else if (said == 0) {
         said = 1;
-        telemetry_values[0].text = app.name;
-        telemetry_values[1].text = BOARD;
-        telemetry_values[2].number = LUT_CRC16;
-        telemetry_values[3].text = RESETS[hal_reset_cause()];
+        telemetry_values[0].text = identity;
+        telemetry_values[1].text = RESETS[hal_reset_cause()];
         telemetry_say(TITLE);
     } else if (said == 1) {
         said = 2;

@@ -32,8 +32,7 @@ enum frames_fault {
 struct frames_app {
     uint8_t kind; /* enum frame_kind */
     uint8_t payload_bytes;
-    uint8_t period_ticks; /* from one trigger to the next, in HAL_TICK_MS */
-    const char __code *name;
+    uint8_t period_ticks;      /* from one trigger to the next, in HAL_TICK_MS */
     const char __code *header; /* the first line of telemetry: "seq,ms,...,state,fault\r\n" */
     const char __code *line;   /* the format of the other lines: "%u,%o%m,...,%s,%u\r\n" */
 };

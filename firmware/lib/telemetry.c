@@ -6,7 +6,6 @@ __idata union telemetry_value telemetry_values[TELEMETRY_VALUES];
 static const uint16_t __code POWERS[] = {10000, 1000, 100, 10, 1};
 #define DECIMAL_HUNDREDS 2U
 #define DECIMAL_END      5U
-#define HEX_DIGITS       4U
 
 static const char __code *rest;     /* the rest of the format; 0: no line is being sent */
 static const char __code *text;     /* the rest of a text value; 0: none is being sent */
@@ -48,15 +47,6 @@ static char next_decimal(void)
     }
 }
 
-static char next_hex(void)
-{
-    uint8_t nibble = (uint8_t)(number >> 12);
-
-    number = (uint16_t)(number << 4);
-    hex_digits--;
-    return (char)(nibble < 10 ? '0' + nibble : 'A' - 10 + nibble);
-}
-
 /* Begins to send the next value. */
 static void take(char conversion)
 {
@@ -65,9 +55,6 @@ static void take(char conversion)
     switch (conversion) {
     case 's':
         text = telemetry_values[value].text;
-        break;
-    case 'x':
-        hex_digits = HEX_DIGITS;
         break;
     case 'm':
         is_leading = telemetry_values[value - 1].number == 0;
@@ -94,9 +81,6 @@ char telemetry_next(void)
 
         if (power != DECIMAL_END) {
             return next_decimal();
-        }
-        if (hex_digits != 0) {
-            return next_hex();
         }
         if (text != 0) {
             c = *text;

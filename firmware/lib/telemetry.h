@@ -21,7 +21,7 @@ bool telemetry_is_busy(void);
 
 /* Starts a line. `format` is a text that may contain, at most TELEMETRY_VALUES times in all,
  *     %u  a number               %o  a number, or nothing if it is 0
- *     %s  a text                 %x  a number as four hexadecimal digits
+ *     %s  a text
  *     %m  a number below 1000 as three digits, but as %u if the value before it was 0:
  *         "%o%m" prints seconds and milliseconds as milliseconds
  * %m must not be the first value. Nothing checks the format. */

@@ -3,14 +3,13 @@
 #include "frames.h"
 #include "park.h"
 
-static const char __code NAME[] = "park";
 static const char __code HEADER[] =
     "seq,ms,x_512,y_512,heading,dist_mm,weight,servo_us,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%s%u,%u,%u,%u,%u,%u,%s,%u\r\n";
 static const char __code *const __code STATES[] = {"WAITING", "DRIVING", "ARRIVED", "FAULT"};
 
 /* 20 ms, as the servo. */
-const struct frames_app __code app = {FRAME_PARK, PARK_PAYLOAD_BYTES, 2, NAME, HEADER, LINE};
+const struct frames_app __code app = {FRAME_PARK, PARK_PAYLOAD_BYTES, 2, HEADER, LINE};
 
 void app_init(void)
 {

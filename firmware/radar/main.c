@@ -3,14 +3,13 @@
 #include "frames.h"
 #include "radar.h"
 
-static const char __code NAME[] = "radar";
 static const char __code HEADER[] =
     "seq,ms,range_cm,closing_dkmh,own_dkmh,safe_cm,level,brake_pct,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%u,%s%u,%u,%u,%u,%u,%s,%u\r\n";
 static const char __code *const __code STATES[] = {"DRIVER", "BRAKING", "FAULT"};
 
 /* 100 ms, as the published system. */
-const struct frames_app __code app = {FRAME_RADAR, RADAR_PAYLOAD_BYTES, 10, NAME, HEADER, LINE};
+const struct frames_app __code app = {FRAME_RADAR, RADAR_PAYLOAD_BYTES, 10, HEADER, LINE};
 
 void app_init(void)
 {

@@ -104,13 +104,6 @@ static void test_an_optional_number_is_nothing_when_0(void)
     TEST_ASSERT_EQUAL_STRING(",7,", line("%o,%o,"));
 }
 
-static void test_hexadecimal_has_four_digits(void)
-{
-    telemetry_values[0].number = 0xABE3;
-    telemetry_values[1].number = 0x000F;
-    TEST_ASSERT_EQUAL_STRING("ABE3 000F", line("%x %x"));
-}
-
 static const char *milliseconds(uint16_t s, uint16_t ms)
 {
     telemetry_values[0].number = s;
@@ -154,7 +147,6 @@ int main(void)
     RUN_TEST(test_text_around_and_between_values);
     RUN_TEST(test_a_line_without_values);
     RUN_TEST(test_an_optional_number_is_nothing_when_0);
-    RUN_TEST(test_hexadecimal_has_four_digits);
     RUN_TEST(test_seconds_and_milliseconds_read_as_one_number);
     RUN_TEST(test_the_longest_line_fits_the_time_between_two);
     return UNITY_END();

@@ -1,0 +1,13 @@
+/* Who an image is: one text at a fixed address of its code, such as
+ *     fuzzy51 1.0 brake/tuned at89s52 12000000 Hz table=0xBDC8
+ * Name, version, controller and image (one word where both have the same name), board, crystal,
+ * check sum of the table. The telemetry's title line says it; drive reads it in the hex file and
+ * runs the image only where it belongs. firmware/rules.mk has the address and makes the text. */
+#ifndef FUZZY51_IDENTITY_H
+#define FUZZY51_IDENTITY_H
+
+#include "cc51.h"
+
+extern const char __code __at(IDENTITY_AT) identity[];
+
+#endif
