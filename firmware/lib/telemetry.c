@@ -12,7 +12,6 @@ static const char __code *text;     /* the rest of a text value; 0: none is bein
 static uint8_t value;               /* the index of the next value */
 static uint16_t number;             /* the rest of the number being sent */
 static uint8_t power = DECIMAL_END; /* the power of its next digit; DECIMAL_END: no number */
-static uint8_t hex_digits;          /* hexadecimal digits still to send */
 static bool is_leading;             /* no digit of the number was sent, so zeros are left out */
 
 bool telemetry_is_busy(void)
