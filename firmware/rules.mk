@@ -2,7 +2,7 @@
 # and .bound.
 
 # A controller is a folder with a main.c and a NAME.mk, which says what its images are made of.
-LIB_MODULES := $(addprefix lib/,fixed identity lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud)
+LIB_MODULES := $(addprefix lib/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud identity)
 CONTROLLERS := $(patsubst firmware/%/main.c,%,$(wildcard firmware/*/main.c))
 include firmware/pins.mk firmware/frames/frames.mk $(foreach name,$(CONTROLLERS),firmware/$(name)/$(name).mk)
 ALL_IMAGES  := $(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name)))
@@ -52,8 +52,8 @@ $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	@mkdir -p $$(@D)
 	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
 $(call compile_rules,$(1),firmware/)
-$(OUT)/$(1)/lib/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"' -DIDENTITY_BYTES=$$(IDENTITY_BYTES)
-$(OUT)/$(1)/lib/identity.rel $(OUT)/$(1).ihx: IDENTITY_BYTES = $$(shell printf '%s table=0xFFFF.' '$(identity_of)' | wc -c)
+$(OUT)/$(1)/mcu/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"' -DIDENTITY_BYTES=$$(IDENTITY_BYTES)
+$(OUT)/$(1)/mcu/identity.rel $(OUT)/$(1).ihx: IDENTITY_BYTES = $$(shell printf '%s table=0xFFFF.' '$(identity_of)' | wc -c)
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
 	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
 	$$(Q)$(SDCC) $(SDCC_LINK) -Wl-bGSINIT0=$$$$(($(IDENTITY_AT) + $$(IDENTITY_BYTES))) $$(filter %.rel,$$^) -o $$@ && \
