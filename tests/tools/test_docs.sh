@@ -136,6 +136,10 @@ for file in "$out"/shown*.command; do
     faultless "$(cat "${file%.command}.place") $(cat "$file")" "$fault"
 done
 
+sentence=$(grep -m 1 '^Standing car ahead' "$out"/shown*.output | sed 's/^[^:]*://')
+grep -qF ">$sentence<" docs/pictures/live.svg && [ -n "$sentence" ]
+say "the picture of the loop shows the demo" $? "it lacks '$sentence'; run make pictures"
+
 shows() { # NAME PATTERN FILE PAGE: the blocks of PAGE have lines of that form, and each is a line of FILE
     items block "$4" | cut -f2 | grep -E -- "$2" >"$out/seen"
     [ -s "$out/seen" ] && ! grep -vxF -f "$3" "$out/seen" >"$out/untrue"
@@ -214,7 +218,7 @@ unnamed() { # PAGES NAME...: the names that no page has between backticks
 }
 read -ra images < <(sed -n 's/^IMAGES_OF_[a-z]* *:= *//p' firmware/*/*.mk | xargs)
 read -ra kinds < <(grep -oE '\{"[a-z0-9]+"' tools/fistab/mf.c | tr -d '{"' | xargs)
-read -ra faults < <(grep -ohE '"[a-z ]*(garbage|corrupt)[a-z ]*"' tools/drive/scenario/*.c | tr -d '"' | xargs)
+read -ra faults < <(grep -rohE 'choices = "[a-z ]*(garbage|corrupt)[a-z ]*"' tools/drive --include='*.c' | sed 's/.*= //' | tr -d '"' | xargs)
 [ ${#images[@]} -ge 5 ] && [ ${#kinds[@]} -ge 15 ] && [ ${#faults[@]} -ge 17 ]
 say "the names to look for" $? "${images[*]}, ${kinds[*]}, ${faults[*]}"
 faultless "every image is described" "$(unnamed "docs/brake.md docs/controllers.md" "${images[@]}")"
