@@ -5,6 +5,7 @@
 #include "diag.h"
 #include "list.h"
 #include "live.h"
+#include "protocols.h"
 #include "run.h"
 #include "s51.h"
 #include "trace.h"
@@ -34,7 +35,8 @@ enum option_key {
     OPT_SET,
     OPT_BRIEF,
     OPT_STATS,
-    OPT_ENGINE
+    OPT_ENGINE,
+    OPT_MAP
 };
 
 static const struct argp_option options[] = {
@@ -56,12 +58,13 @@ static const struct argp_option options[] = {
     {"quantum-us", OPT_QUANTUM, "N", 0, "syncs at least that often, 10..400 (when needed)", 3},
     {"step-us", OPT_STEP, "N", 0, "longest step of the plant, 10..10000 (1000)", 3},
     {"seed", OPT_SEED, "N", 0, "of the noise (the scenario's)", 3},
+    {"map", OPT_MAP, "FINENESS", 0, "scenarios: of the avoidance map: coarse, normal or fine", 4},
     {0},
 };
 
 struct arguments {
     const struct sim_engine *engine;
-    const char *hex, *board, *scenario;
+    const char *hex, *board, *scenario, *map;
     struct trace_paths paths;
     bool live, brief, stats, has_seed, guess;
     int quantum_us, step_us;
@@ -121,6 +124,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
     case OPT_LIVE:
         arguments->live = true;
         break;
+    case OPT_MAP:
+        arguments->map = text;
+        break;
     case OPT_BRIEF:
         arguments->brief = true;
         break;
@@ -159,7 +165,7 @@ static error_t take_option(int key, char *text, struct argp_state *state)
 static const struct argp parser = {
     .options = options,
     .parser = take_option,
-    .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\ncanary",
+    .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\nscenarios DIR\ncanary",
     .doc =
         "Runs a controller's real image in a simulator, in a closed loop with a modelled "
         "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
@@ -361,6 +367,7 @@ static int command_run(struct arguments *arguments)
 int main(int argc, char **argv)
 {
     struct arguments arguments = {.engine = &s51_engine,
+                                  .map = "normal",
                                   .guess = true,
                                   .quantum_us = RUN_QUANTUM_US,
                                   .step_us = WORLD_STEP_NS / 1000};
@@ -375,6 +382,9 @@ int main(int argc, char **argv)
     }
     if (strcmp(command, "list") == 0 && arguments.word_count == 2) {
         return list_scenarios(arguments.words[1]);
+    }
+    if (strcmp(command, "scenarios") == 0 && arguments.word_count == 2) {
+        return protocols_write(arguments.words[1], arguments.map);
     }
     if (strcmp(command, "canary") == 0 && arguments.word_count == 1) {
         return canary_run();
