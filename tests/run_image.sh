@@ -6,15 +6,16 @@
 # with 0. So an image prints a last line of its own, and the caller looks for that line.
 set -u
 cpu_seconds=120 # processor time, so that a busy machine fails no test
-[ $# -ge 1 ] && [ -r "$1" ] || {
+if [ ! -r "${1:-}" ]; then
     echo "run_image.sh: error: no image '${1:-}'; use: tests/run_image.sh IMAGE.ihx [FILE]" >&2
     exit 2
-}
+fi
 
 # s51 quits when its input ends. Its input is a pipe that `sleep` keeps open and never writes to.
 coproc open_pipe { exec sleep $((cpu_seconds * 20 + 5)); }
 timeout -k 1 $((cpu_seconds * 20)) prlimit --cpu="$cpu_seconds" tools/s51 -t C52 -q -b -R 1 -G \
     -I "if=xram[0xffff]${2:+,out=$2}" "$1" <&"${open_pipe[0]}" 2>&1
 status=$?
+# shellcheck disable=SC2154  # coproc sets it
 kill "$open_pipe_PID" 2>/dev/null
 [ $status -eq 0 ] || echo "run_image.sh: s51 ended with status $status; it has $cpu_seconds s of processor time"

@@ -54,9 +54,9 @@ best() { # the larger of the speeds $1 and simulated $2 in $3 seconds
 free=0 drive=0
 for _ in 1 2 3 4; do
     read -r simulated cpu < <(free_run)
-    free=$(best $free "$simulated" "$cpu")
+    free=$(best "$free" "$simulated" "$cpu")
     read -r simulated cpu < <(drive_run)
-    drive=$(best $drive "$simulated" "$cpu")
+    drive=$(best "$drive" "$simulated" "$cpu")
 done
 awk -v free="$free" -v drive="$drive" 'BEGIN {
     printf "s51 free %.2f, under drive %.2f simulated seconds a second: %.0f %% (goal: 90)\n", free, drive, 100 * drive / free }'

@@ -60,7 +60,7 @@ sensor() { # FILE NOISE-CM MISSING-PCT: and what must come of it
 }
 
 glitches() { # FILE AT-S:DIST-M...
-    local file=$1 n= glitch
+    local file=$1 n='' glitch
     shift
     for glitch; do
         printf '[fault%s]\nkind = glitch\nfrom_s = %s\ndist_m = %s\n' "$n" "${glitch%:*}" "${glitch#*:}" >>"$file"

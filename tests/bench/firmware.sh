@@ -27,13 +27,14 @@ step_cycles() { # BOARD APP
         echo "firmware.sh: error: $image did not come to its end in s51; see $log" >&2
         exit 1
     }
-    set -- $line
-    [ "$3" -eq 0 ] || {
-        echo "firmware.sh: error: $image refused payloads, or missed states: $3 of them" >&2
+    local least most missed _
+    read -r least most missed _ <<<"$line"
+    [ "$missed" -eq 0 ] || {
+        echo "firmware.sh: error: $image refused payloads, or missed states: $missed of them" >&2
         exit 1
     }
-    echo "step_least $1"
-    echo "step_most $2"
+    echo "step_least $least"
+    echo "step_most $most"
 }
 
 # The most that any path takes, as tools/bound finds it in the linked image.
@@ -126,11 +127,16 @@ measure() { # BOARD APP
 if [ "${1:-}" = --measure ]; then
     measure "$2" "$3" >"$work/$2-$3.part"
     mv "$work/$2-$3.part" "$work/$2-$3"
+    echo "$2 $3" >>"$work/measured"
     exit
 fi
 
-[ $# -gt 0 ] || set -- $(cd firmware/boards && ls -- *.mk | sed 's/\.mk//')
+if [ $# -eq 0 ]; then
+    mapfile -t boards < <(basename -as .mk firmware/boards/*.mk)
+    set -- "${boards[@]}"
+fi
 rm -f "$work"/*
+: >"$work/measured"
 for board; do
     for app in $(apps "$board"); do echo "build/$board/bench/$app.ihx"; done | xargs make -s "BOARD=$board" >&2
     for app in $(apps "$board"); do echo "$board $app"; done
@@ -138,7 +144,7 @@ done >"$work/jobs"
 xargs -P "${JOBS:-$(nproc)}" -L 1 "$0" --measure <"$work/jobs" &
 while kill -0 $! 2>/dev/null; do
     sleep 1
-    if [ -t 2 ]; then printf '\r%d of %d images measured ' "$(ls "$work" | grep -cv '[.]\|jobs')" "$(wc -l <"$work/jobs")" >&2; fi
+    if [ -t 2 ]; then printf '\r%d of %d images measured ' "$(wc -l <"$work/measured")" "$(wc -l <"$work/jobs")" >&2; fi
 done
 if [ -t 2 ]; then echo >&2; fi
 wait $! || {
@@ -175,8 +181,10 @@ row() { # WHAT VALUE LIMIT UNIT
 
 # Bytes of code and constants that each module's object has; what is over is SDCC's library.
 modules() { # BOARD APP
-    for object in build/"$1"/"$2"/*/*.rel; do
-        awk -v name="$(echo "$object" | sed 's|.*/\([a-z]*/[a-z0-9_]*\)\.rel|\1|')" '
+    local folder=build/$1/$2 object name
+    for object in "$folder"/*/*.rel; do
+        name=${object#"$folder/"}
+        awk -v name="${name%.rel}" '
             function hex(text,    i, n) { for (i = 1; i <= length(text); i++) n = 16 * n + index("0123456789ABCDEF", substr(text, i, 1)) - 1; return n }
             $1 == "A" && $2 ~ /^(HOME|GSINIT|GSFINAL|CSEG|CONST|XINIT)/ { sum += hex($4) }
             END { print sum, name }' "$object"

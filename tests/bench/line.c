@@ -11,7 +11,7 @@ uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
 int main(int count, char *words[])
 {
-    uint8_t line[HEAD_LINE_MAX];
+    uint8_t line[HEAD_LINE_MAX] = {0};
     long frames;
 
     if (count != 4) {

@@ -42,7 +42,7 @@ check "status_is_told_twice" status_is_told
 line='[0-9]+,[0-9]+,[0-9]*,-?[0-9]+,[0-9]{1,2},[0-9]{1,2},[0-9]{1,3},(RELEASED|CONTROL|STOP|FAULT),[0-9]+'
 all_lines_are_whole() {
     # The last one may still be on its way.
-    [ "$(tr -d '\r' <"$said" | sed '$d' | grep -avE "^(#.*|seq,.*|$line)\$" | wc -l)" -eq 0 ]
+    ! tr -d '\r' <"$said" | sed '$d' | grep -aqvE "^(#.*|seq,.*|$line)\$"
 }
 check "all_lines_are_whole" all_lines_are_whole
 check "every_line_ends_in_cr_lf" [ "$(sed '$d' "$said" | grep -acv $'\r$')" -eq 0 ]

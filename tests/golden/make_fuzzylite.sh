@@ -18,7 +18,7 @@ evaluate() {
 }
 
 grid() { # FROM STEP TO for either input
-    for a in $(seq $1 $2 $3); do for b in $(seq $4 $5 $6); do echo "$a $b"; done; done
+    for a in $(seq "$1" "$2" "$3"); do for b in $(seq "$4" "$5" "$6"); do echo "$a $b"; done; done
 }
 
 # The system as fuzzylite reads it, with enough decimals, and with the operators KEY=WORD given.
@@ -53,7 +53,7 @@ convert() {
     grid -2 1 5 10 13.34 90 >$build/points.fld
     for methods in min,max,wtaver,Minimum,Maximum,WeightedAverage prod,probor,wtsum,AlgebraicProduct,AlgebraicSum,WeightedSum; do
         IFS=, read -r and or defuzz conjunction disjunction defuzzifier <<<"$methods"
-        convert $golden/sugeno.fis conjunction=$conjunction disjunction=$disjunction "defuzzifier=$defuzzifier TakagiSugeno"
+        convert $golden/sugeno.fis conjunction="$conjunction" disjunction="$disjunction" "defuzzifier=$defuzzifier TakagiSugeno"
         evaluate $build/system.fll $build/points.fld | sed "s/^/$and,$or,$defuzz,/"
     done
 } >$golden/sugeno_fuzzylite.csv

@@ -46,7 +46,7 @@ done
 
 for scenario in standing_car_3mps noisy_approach lead_brakes_2mps2 slower_car_1mps; do
     run stc89c516rd $scenario coarse
-    run stc89c516rd $scenario fine --step-us 500
+    run stc89c516rd "$scenario" fine --step-us 500
     for tolerance in min_gap_m/0.002 impact_mps/0.005 peak_decel_mps2/0.02 peak_jerk_mps3/0.1 final_speed_mps/0.005 \
         rms_accel_mps2/0.01; do
         near "$scenario, half the step" coarse fine ${tolerance%/*} ${tolerance#*/}

@@ -76,6 +76,7 @@ static void test_that_a_full_disk_is_reported_and_leaves_the_old_file(void)
         TEST_FAIL_MESSAGE("no /dev/full on this machine");
     }
     TEST_ASSERT_EQUAL(EXIT_FINE, outfile_open(&out, path));
+    /* cppcheck-suppress leakReturnValNotUsed ; freopen returns the stream that it was given */
     TEST_ASSERT_NOT_NULL(freopen("/dev/full", "w", out.stream));
     fputs("does not fit\n", out.stream);
     TEST_ASSERT_EQUAL(EXIT_INPUT, outfile_commit(&out));

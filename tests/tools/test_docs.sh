@@ -211,10 +211,10 @@ done
 
 # --- names ---------------------------------------------------------------------------------------------
 unnamed() { # PAGES NAME...: the names that no page has between backticks
-    local pages=$1 page name
+    local places=$1 page name
     shift
-    for page in $pages; do items code "$page"; done | cut -f2 | tr -s ' ' '\n' >"$out/words"
-    for name; do grep -qxF -- "$name" "$out/words" || echo "$pages: no '$name'"; done
+    for page in $places; do items code "$page"; done | cut -f2 | tr -s ' ' '\n' >"$out/words"
+    for name; do grep -qxF -- "$name" "$out/words" || echo "$places: no '$name'"; done
 }
 read -ra images < <(sed -n 's/^IMAGES_OF_[a-z]* *:= *//p' firmware/*/*.mk | xargs)
 read -ra kinds < <(grep -oE '\{"[a-z0-9]+"' tools/fistab/mf.c | tr -d '{"' | xargs)

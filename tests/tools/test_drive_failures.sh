@@ -6,7 +6,7 @@ work=$PWD/$out
 mkdir -p "$work/tmp" "$work/out" "$work/images" "$work/fake"
 export TMPDIR=$work/tmp
 drive=$PWD/build/drive
-limit="$(command -v timeout) 60"
+limit=("$(command -v timeout)" 60)
 real_path=$PATH
 
 cat >"$work/road.scn" <<'END'
@@ -25,7 +25,7 @@ done
 run() { # IMAGE [option...]: a run of that image that also writes a trace
     image=$1
     shift
-    $limit "$drive" run --hex "$work/images/$image.ihx" --board at89s52 --scenario "$work/road.scn" \
+    "${limit[@]}" "$drive" run --hex "$work/images/$image.ihx" --board at89s52 --scenario "$work/road.scn" \
         --csv "$work/out/trace.csv" "$@"
 }
 
@@ -46,10 +46,10 @@ clean() { # NAME: nothing was left behind
 
 one_error() { # COMMAND...: its exit status, but 99 if its stderr has more than one error
     "$@" 2>"$work/stderr"
-    status=$?
+    local status=$?
     cat "$work/stderr" >&2
     [ "$(grep -c error "$work/stderr")" -le 1 ] || status=99
-    return $status
+    return "$status"
 }
 
 fails() { # NAME STATUS MESSAGE COMMAND...: one message, and nothing left behind
@@ -108,9 +108,9 @@ say "bytes reach the controller" $? "$(cat "$work/stdout")"
 rm -f "$work/out/trace.csv"
 
 # --- a guess that goes wrong: begun again, and the same numbers as without guesses ---
-near="--set lead.gap_m=3 --set ego.speed_mps=0 --stats"
-run HURRY $near --vcd "$work/out/guess.vcd" >"$work/stdout"
-run HURRY $near --vcd "$work/out/sure.vcd" --quantum-us 400 >/dev/null
+near=(--set lead.gap_m=3 --set ego.speed_mps=0 --stats)
+run HURRY "${near[@]}" --vcd "$work/out/guess.vcd" >"$work/stdout"
+run HURRY "${near[@]}" --vcd "$work/out/sure.vcd" --quantum-us 400 >/dev/null
 grep -q "begun again" "$work/stdout" && cmp -s "$work/out/guess.vcd" "$work/out/sure.vcd"
 say "a trigger earlier than ever" $? "$(tail -n 1 "$work/stdout")"
 rm -f "$work/out"/*
@@ -139,8 +139,7 @@ fake '[ "$1" = -v ] && exec $real -v; exit 3'
 fails "s51 that ends at once" 2 "s51: error: ended with status 3" with_fake run PLAIN
 mkdir -p "$work/loop"
 cp "$work/road.scn" "$work/loop"
-with_fake tests/run_loop.sh at89s52 "$work/loop" >"$work/stdout" 2>&1
-[ $? -ne 0 ] && grep -q ':FAIL: drive ended with 2: s51: error: ended with status 3' "$work/stdout" &&
+! with_fake tests/run_loop.sh at89s52 "$work/loop" >"$work/stdout" 2>&1 && grep -q ':FAIL: drive ended with 2: s51: error: ended with status 3' "$work/stdout" &&
     ! grep -q 'PASS$' "$work/stdout"
 say "a run whose s51 ended is no pass" $? "$(cat "$work/stdout")"
 fake '[ "$1" = -v ] && exec $real -v; kill -SEGV $$'
@@ -153,20 +152,19 @@ fake '[ "$1" = -v ] && exec $real -v; exec $real $(echo " $* " | sed "s/ -C star
 fails "s51 that does not find its start file" 2 "s51: error: " with_fake run PLAIN
 
 fake '[ "$1" = -v ] && { echo "s51: 0.9.9"; exit; }; exec $real "$@"'
-with_fake run PLAIN >"$work/stdout" 2>"$work/stderr"
-[ $? -eq 0 ] && grep -q "s51: warning: version 0.9.9 is not 0.6.4 (Debian 12) or 0.8.15 (Debian 13), but it keeps time" "$work/stderr"
+with_fake run PLAIN >"$work/stdout" 2>"$work/stderr" &&
+    grep -q "s51: warning: version 0.9.9 is not 0.6.4 (Debian 12) or 0.8.15 (Debian 13), but it keeps time" "$work/stderr"
 say "another version that keeps time" $? "$(cat "$work/stderr")"
 rm -f "$work/out"/*
 fake '[ "$1" = -v ] && { echo "s51: 0.9.9"; exit; }; exec $real $(echo "$*" | sed s/12000000/11059200/)'
 fails "another version that does not keep time" 2 \
     "(-7.8 %); install version 0.6.4" with_fake run PLAIN
 fails "canary of another version" 2 "version 0.9.9 reads a pulse" with_fake "$drive" canary
-"$drive" canary >"$work/stdout" 2>&1
-[ $? -eq 0 ] && grep -q "^s51 [0-9.]* keeps time: a pulse of 5800 us reads 5800 us" "$work/stdout"
+"$drive" canary >"$work/stdout" 2>&1 &&
+    grep -q "^s51 [0-9.]* keeps time: a pulse of 5800 us reads 5800 us" "$work/stdout"
 say "the canary is content with this version" $? "$(cat "$work/stdout")"
 
 # --- violence ---
-long="--set scenario.duration_s=60"
 simulator_of() { # the pid of the s51 that the drive of pid $1 runs; the one that it asks for its version has no -g
     for _ in $(seq 50); do
         pgrep -P "$1" -f '51 .*-g' && return
@@ -174,7 +172,7 @@ simulator_of() { # the pid of the s51 that the drive of pid $1 runs; the one tha
     done
 }
 begin() { # starts a long run; leaves its pid in $pid, its simulator's in $simulator, half a second on
-    "$drive" run --hex "$work/images/PLAIN.ihx" --board at89s52 --scenario "$work/road.scn" $long \
+    "$drive" run --hex "$work/images/PLAIN.ihx" --board at89s52 --scenario "$work/road.scn" --set scenario.duration_s=60 \
         --csv "$work/out/trace.csv" >"$work/stdout" 2>"$work/stderr" &
     pid=$!
     simulator=$(simulator_of $pid | tail -n 1)

@@ -253,7 +253,7 @@ static void test_a_sigmoid(void)
 
     system_of("prod", "max", "bisector", -2, 3, "MF1='s':'sigmf',[1 0]", ONE_RULE);
     /* ln(1+e^x) = ln(1+e^-2) + area/2 */
-    NEAR(log(exp(log(1 + exp(-2)) + area / 2) - 1), output(0, 1, 0));
+    NEAR(log(expm1(log1p(exp(-2)) + area / 2)), output(0, 1, 0));
 }
 
 /* smf [0 4]: 2 (x/4)^2 to 2, then 1 - 2 ((4-x)/4)^2: area 2, moment 1/2 + (6 - 5/6)... by Simpson,

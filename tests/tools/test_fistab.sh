@@ -51,22 +51,21 @@ expect brake_breaks_the_law 1 "" "(monotone) 'brake_pct' breaks -1,+2 between 65
 expect brake_prod_obeys_the_law 0 "" "" $fistab check --monotone=-1,+2 tables/brake_prod.fis
 expect brake_prod_obeys_it_finer 0 "" "" $fistab check --monotone=-1,+2 --grid=400x400 --levels=255 tables/brake_prod.fis
 expect brake_prod_obeys_it_exactly 0 "" "" $fistab check --monotone=-1,+2 --exact --levels=255 tables/brake_prod.fis
-[ "$($fistab check --coverage tables/brake.fis | wc -l)" -eq 16 ]
-faultless coverage_has_a_line_for_each_rule "$([ $? -eq 0 ] || echo 'not 16 lines')"
+check coverage_has_a_line_for_each_rule test "$($fistab check --coverage tables/brake.fis | wc -l)" -eq 16
 
 # --- table
-$fistab table tables/brake.fis -o $out/a.h --csv=$out/a.csv
-(cd tables && ../$fistab table brake.fis -o ../$out/b.h --csv=../$out/b.csv)
-$fistab table tables/brake.fis >$out/stdout.h
-faultless same_input_same_bytes "$(cmp $out/a.h $out/b.h; cmp $out/a.csv $out/b.csv; cmp $out/a.h $out/stdout.h)"
-faultless csv_has_a_line_for_each_cell "$([ "$(wc -l <$out/a.csv)" -eq 10001 ] || echo 'not 10,001 lines')"
-faultless csv_names_its_columns "$([ "$(head -1 $out/a.csv)" = '"distance_m","closing_mps","brake_pct"' ] || head -1 $out/a.csv)"
-faultless csv_goes_row_by_row "$([ "$(sed -n '102p' $out/a.csv)" = 1.06,0.175,86 ] || sed -n '102p' $out/a.csv)"
-faultless header_and_csv_hold_the_same "$(diff <(tail -n +2 $out/a.csv | cut -d, -f3) <(sed -n '/out1/,/^}/p' $out/a.h | tail -n +2 | grep -oE '[0-9]+') | head -3)"
-expect table_only_as_csv 0 "" "" $fistab table tables/brake.fis --csv=$out/c.csv
-expect no_folder_to_write_to 1 "" "$out/no/such.h: error: cannot write" $fistab table tables/brake.fis -o $out/no/such.h
-expect no_folder_for_the_second_file 1 "" "cannot write" $fistab table tables/brake.fis --csv=$out/new.csv -o $out/no/such.h
-faultless nothing_half_written "$(ls $out | grep -E 'new|such')"
+$fistab table tables/brake.fis -o "$out/a.h" --csv="$out/a.csv"
+(cd tables && ../$fistab table brake.fis -o ../"$out/b.h" --csv=../"$out/b.csv")
+$fistab table tables/brake.fis >"$out/stdout.h"
+faultless same_input_same_bytes "$(cmp "$out/a.h" "$out/b.h"; cmp "$out/a.csv" "$out/b.csv"; cmp "$out/a.h" "$out/stdout.h")"
+faultless csv_has_a_line_for_each_cell "$([ "$(wc -l <"$out/a.csv")" -eq 10001 ] || echo 'not 10,001 lines')"
+faultless csv_names_its_columns "$([ "$(head -1 "$out/a.csv")" = '"distance_m","closing_mps","brake_pct"' ] || head -1 "$out/a.csv")"
+faultless csv_goes_row_by_row "$([ "$(sed -n '102p' "$out/a.csv")" = 1.06,0.175,86 ] || sed -n '102p' "$out/a.csv")"
+faultless header_and_csv_hold_the_same "$(diff <(tail -n +2 "$out/a.csv" | cut -d, -f3) <(sed -n '/out1/,/^}/p' "$out/a.h" | tail -n +2 | grep -oE '[0-9]+') | head -3)"
+expect table_only_as_csv 0 "" "" $fistab table tables/brake.fis --csv="$out/c.csv"
+expect no_folder_to_write_to 1 "" "$out/no/such.h: error: cannot write" $fistab table tables/brake.fis -o "$out/no/such.h"
+expect no_folder_for_the_second_file 1 "" "cannot write" $fistab table tables/brake.fis --csv="$out/new.csv" -o "$out/no/such.h"
+faultless nothing_half_written "$(compgen -G "$out/*new*")$(compgen -G "$out/*such*")"
 expect grid_too_large 1 "" "a grid of more than 16777216 cells is beyond fistab's limit" $fistab table --grid=5000x5000 tables/brake.fis
 
 # Headers of one to four inputs and two outputs compile, for the host and for the chip.
@@ -78,12 +77,12 @@ header_of() { # INPUTS OPTION...
         echo "Type='sugeno'"
         echo "DefuzzMethod='wtaver'"
         for ((i = 1; i <= inputs; i++)); do printf "[Input%d]\nName='in */ \"%d\" \\\\'\nRange=[0 %d.5]\n" $i $i $i; done
-        for i in 1 2; do printf "[Output%d]\nName='out /* %d'\nRange=[0 100]\nMF1='p':'linear',[%s 3]\n" $i $i "$(yes 1 | head -$inputs | tr '\n' ' ')"; done
+        for i in 1 2; do printf "[Output%d]\nName='out /* %d'\nRange=[0 100]\nMF1='p':'linear',[%s 3]\n" $i $i "$(yes 1 | head -"$inputs" | tr '\n' ' ')"; done
         echo "[Rules]"
-        echo "$(yes 0 | head -$inputs | tr '\n' ' '), 1 1 (1) : 1"
+        echo "$(yes 0 | head -"$inputs" | tr '\n' ' '), 1 1 (1) : 1"
     } >"$out/inputs$inputs.fis"
-    $fistab table --name=lut "$@" -o $out/lut_table.h "$out/inputs$inputs.fis" 2>&1 || return
-    cat >$out/lut.c <<'C'
+    $fistab table --name=lut "$@" -o "$out/lut_table.h" "$out/inputs$inputs.fis" 2>&1 || return
+    cat >"$out/lut.c" <<'C'
 #include <stdint.h>
 #ifndef __SDCC
 #define __code
@@ -100,8 +99,8 @@ uint8_t first(void)
     return (uint8_t)(a[sizeof lut_out1 - 1] + b[0] + (sizeof lut_out1 + sizeof lut_out2 == LUT_BYTES ? 0 : 1));
 }
 C
-    gcc -std=c11 -Wall -Wextra -Wconversion -Werror -c $out/lut.c -o $out/lut.o 2>&1
-    sdcc -mmcs51 --std-c11 --model-small --Werror -c $out/lut.c -o $out/lut.rel 2>&1
+    gcc -std=c11 -Wall -Wextra -Wconversion -Werror -c "$out/lut.c" -o "$out/lut.o" 2>&1
+    sdcc -mmcs51 --std-c11 --model-small --Werror -c "$out/lut.c" -o "$out/lut.rel" 2>&1
 }
 faultless header_of_one_input "$(header_of 1)"
 faultless header_of_two_inputs "$(header_of 2 --grid=7x3 --levels=255)"
@@ -112,18 +111,18 @@ faultless header_of_five_inputs_is_refused "$(header_of 5 2>&1 | grep -q '5 inpu
 # --- limits: an answer or a message, within seconds of processor time
 # quick NAME SECONDS STATUS STDERR COMMAND...
 quick() {
-    local name=$1 seconds=$2 status=$3 stderr=$4 wrong= code
+    local name=$1 seconds=$2 status=$3 stderr=$4 wrong='' code
     shift 4
-    (ulimit -t "$seconds" && "$@" >$out/stdout 2>$out/stderr)
+    (ulimit -t "$seconds" && "$@" >"$out/stdout" 2>"$out/stderr")
     code=$?
-    [ $code -eq "$status" ] || wrong="exit status $code, not $status: $(head -c 300 $out/stderr)"
-    [ -z "$stderr" ] || grep -qF -- "$stderr" $out/stderr || wrong="did not say '$stderr' but: $(head -c 300 $out/stderr)"
+    [ $code -eq "$status" ] || wrong="exit status $code, not $status: $(head -c 300 "$out/stderr")"
+    [ -z "$stderr" ] || grep -qF -- "$stderr" "$out/stderr" || wrong="did not say '$stderr' but: $(head -c 300 "$out/stderr")"
     faultless "$name" "$wrong"
 }
 
 # big INPUTS SETS RULES: a system of that size; rules differ, as numbers to the base SETS do.
 big() {
-    awk -v inputs=$1 -v sets=$2 -v rules=$3 'BEGIN {
+    awk -v inputs="$1" -v sets="$2" -v rules="$3" 'BEGIN {
         printf "[System]\nName=\"big\"\nNumInputs=%d\nNumOutputs=1\nNumRules=%d\n", inputs, rules
         for (i = 1; i <= inputs; i++) {
             printf "[Input%d]\nName=\"x%d\"\nRange=[0 %d]\nNumMFs=%d\n", i, i, sets, sets
@@ -137,40 +136,41 @@ big() {
         }
     }'
 }
-big 64 2 20 >$out/inputs64.fis
-big 65 2 20 >$out/inputs65.fis
-big 3 10 1000 >$out/rules1000.fis
-big 2 100 20000 >$out/rules20000.fis
-big 2 150 20001 >$out/rules20001.fis
-big 2 1000 1000 >$out/sets1000.fis
-big 2 1001 10 >$out/sets1001.fis
-quick inputs_64 5 0 "" $fistab eval $out/inputs64.fis $(yes 1 | head -64)
-quick inputs_64_check 20 1 "" $fistab check $out/inputs64.fis
-quick inputs_65 5 1 "NumInputs=65 is more than fistab's limit of 64" $fistab check $out/inputs65.fis
-quick rules_1000 5 0 "" $fistab eval $out/rules1000.fis 1 2 3
-quick rules_1000_check 20 0 "" $fistab check $out/rules1000.fis
-quick rules_1000_table 20 0 "" $fistab table $out/rules1000.fis -o $out/rules1000.h
-quick rules_20000 5 0 "" $fistab eval $out/rules20000.fis 1 2
-quick rules_20001 5 1 "NumRules=20001 is more than fistab's limit of 20000" $fistab eval $out/rules20001.fis 1 2
-sed -i '/NumRules/d' $out/rules20001.fis
-quick rules_20001_uncounted 5 1 "more than 20000 rules, fistab's limit" $fistab eval $out/rules20001.fis 1 2
-quick sets_1000 5 0 "" $fistab eval $out/sets1000.fis 1 2
-quick sets_1000_check 20 1 "" $fistab check $out/sets1000.fis
-quick sets_1001 5 1 "NumMFs=1001 is more than fistab's limit of 1000" $fistab check $out/sets1001.fis
-{ cat tables/brake.fis; yes '% padding, padding, padding' | head -c 10000000; } >$out/10mb.fis
-quick file_of_10_mb 5 0 "" $fistab check $out/10mb.fis
-{ cat tables/brake.fis; yes '% padding, padding, padding' | head -c 17000000; } >$out/17mb.fis
-quick file_of_17_mb 5 1 "larger than 16777216 bytes, the limit" $fistab check $out/17mb.fis
-head -c 10000000 /dev/zero | tr '\0' 'x' >$out/line.fis
-quick line_of_10_mb 5 1 "expected Key=value" $fistab check $out/line.fis
-{ sed '/MF1=.very_near/,$d' tables/brake.fis; printf "MF1='a':'pwlmf',["; yes '0 0' | head -c 10000000 | tr '\n' ' '; echo ']'; } >$out/numbers.fis
-quick list_of_10_mb 5 1 "more than 2000 numbers in one set, fistab's limit" $fistab check $out/numbers.fis
-yes "[Rules" | head -c 10000000 >$out/sections.fis
-quick sections_of_10_mb 5 1 "a section is written" $fistab check $out/sections.fis
-head -c 1000000 /dev/zero >$out/zero.fis
-quick zero_bytes 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fistab check $out/zero.fis
-printf '%s' "$(cat tables/brake.fis)" | iconv -f UTF-8 -t UTF-16 >$out/utf16.fis
-quick utf16 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fistab check $out/utf16.fis
+big 64 2 20 >"$out/inputs64.fis"
+big 65 2 20 >"$out/inputs65.fis"
+big 3 10 1000 >"$out/rules1000.fis"
+big 2 100 20000 >"$out/rules20000.fis"
+big 2 150 20001 >"$out/rules20001.fis"
+big 2 1000 1000 >"$out/sets1000.fis"
+big 2 1001 10 >"$out/sets1001.fis"
+mapfile -t ones < <(yes 1 | head -64)
+quick inputs_64 5 0 "" $fistab eval "$out/inputs64.fis" "${ones[@]}"
+quick inputs_64_check 20 1 "" $fistab check "$out/inputs64.fis"
+quick inputs_65 5 1 "NumInputs=65 is more than fistab's limit of 64" $fistab check "$out/inputs65.fis"
+quick rules_1000 5 0 "" $fistab eval "$out/rules1000.fis" 1 2 3
+quick rules_1000_check 20 0 "" $fistab check "$out/rules1000.fis"
+quick rules_1000_table 20 0 "" $fistab table "$out/rules1000.fis" -o "$out/rules1000.h"
+quick rules_20000 5 0 "" $fistab eval "$out/rules20000.fis" 1 2
+quick rules_20001 5 1 "NumRules=20001 is more than fistab's limit of 20000" $fistab eval "$out/rules20001.fis" 1 2
+sed -i '/NumRules/d' "$out/rules20001.fis"
+quick rules_20001_uncounted 5 1 "more than 20000 rules, fistab's limit" $fistab eval "$out/rules20001.fis" 1 2
+quick sets_1000 5 0 "" $fistab eval "$out/sets1000.fis" 1 2
+quick sets_1000_check 20 1 "" $fistab check "$out/sets1000.fis"
+quick sets_1001 5 1 "NumMFs=1001 is more than fistab's limit of 1000" $fistab check "$out/sets1001.fis"
+{ cat tables/brake.fis; yes '% padding, padding, padding' | head -c 10000000; } >"$out/10mb.fis"
+quick file_of_10_mb 5 0 "" $fistab check "$out/10mb.fis"
+{ cat tables/brake.fis; yes '% padding, padding, padding' | head -c 17000000; } >"$out/17mb.fis"
+quick file_of_17_mb 5 1 "larger than 16777216 bytes, the limit" $fistab check "$out/17mb.fis"
+head -c 10000000 /dev/zero | tr '\0' 'x' >"$out/line.fis"
+quick line_of_10_mb 5 1 "expected Key=value" $fistab check "$out/line.fis"
+{ sed '/MF1=.very_near/,$d' tables/brake.fis; printf "MF1='a':'pwlmf',["; yes '0 0' | head -c 10000000 | tr '\n' ' '; echo ']'; } >"$out/numbers.fis"
+quick list_of_10_mb 5 1 "more than 2000 numbers in one set, fistab's limit" $fistab check "$out/numbers.fis"
+yes "[Rules" | head -c 10000000 >"$out/sections.fis"
+quick sections_of_10_mb 5 1 "a section is written" $fistab check "$out/sections.fis"
+head -c 1000000 /dev/zero >"$out/zero.fis"
+quick zero_bytes 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fistab check "$out/zero.fis"
+printf '%s' "$(cat tables/brake.fis)" | iconv -f UTF-8 -t UTF-16 >"$out/utf16.fis"
+quick utf16 5 1 "holds a zero byte; save it as plain text, not as UTF-16" $fistab check "$out/utf16.fis"
 # --- what make fuzz found
 quick exact_negation 2 0 "" $fistab eval --exact tests/fuzz/slow_negation.fis 5 12
 quick exact_bisector 2 0 "" $fistab eval --exact tests/fuzz/slow_bisector.fis 9 -1.5

@@ -13,5 +13,5 @@ run_one() { # SEED SCENARIO
 }
 export -f run_one
 
-parallel -j "${JOBS:-2}" --will-cite --keep-order run_one ::: 2 3 4 5 6 ::: \
-    $(grep -l '^share' tests/loop/{radar,gap,follow,park}/*.scn)
+mapfile -t scenarios < <(grep -l '^share' tests/loop/*/*.scn)
+parallel -j "${JOBS:-2}" --will-cite --keep-order run_one ::: 2 3 4 5 6 ::: "${scenarios[@]}"

@@ -9,9 +9,9 @@ agrees() {
     local law=$1 scenario=$2 sets=() one
     shift 2
     for one; do sets+=("--set=$one"); done
-    build/drive run --brief --hex build/$board/$law.ihx --board $board --scenario "$scenario" "${sets[@]}" \
+    build/drive run --brief --hex build/$board/"$law".ihx --board $board --scenario "$scenario" "${sets[@]}" \
         --json "$out/out.json" >"$out/log" 2>&1
-    build/lab run build/lab-images/$law.so --scenario "$scenario" "${sets[@]}" >"$out/host" 2>>"$out/log"
+    build/lab run build/lab-images/"$law".so --scenario "$scenario" "${sets[@]}" >"$out/host" 2>>"$out/log"
     awk '
     FNR == NR { host[$1] = $2; n++; next }
     /"outcome"/ { inside = 1 }

@@ -51,5 +51,5 @@ no_gnuplot() {
         2>"$out/message" && says "$out/message" 'install the package gnuplot-nox'
 }
 check no_gnuplot_names_the_package no_gnuplot
-check nothing_is_left_behind test -z "$(ls "$out" | grep bad)"
+check nothing_is_left_behind test -z "$(compgen -G "$out/bad*")"
 finish

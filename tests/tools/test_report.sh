@@ -9,7 +9,8 @@ wrong=$(diff -r "$out/scenarios" "$out/again" | head -n 1)
 faultless same_scenarios_each_time "$wrong"
 
 wrong=$(build/drive list "$out/scenarios" 2>&1 >"$out/list" | head -n 3)
-[ "$(wc -l <"$out/list")" -ge "$(ls "$out/scenarios" | wc -l)" ] || wrong="$wrong $(wc -l <"$out/list") lines for $(ls "$out/scenarios" | wc -l) files"
+files=("$out"/scenarios/*.scn)
+[ "$(wc -l <"$out/list")" -ge ${#files[@]} ] || wrong="$wrong $(wc -l <"$out/list") lines for ${#files[@]} files"
 faultless drive_reads_every_scenario "$wrong"
 
 # By hand, A = 8 m/s2, L = 0.35 s, 5 m: 6.5 m/s needs 6.5 * 0.35 + 6.5^2 / 16 = 4.92 m; 6.75 m/s needs 5.21 m
@@ -136,7 +137,7 @@ grep -q 'stopped; the same command goes on from here' "$out/log" || wrong="nothi
 faultless an_interrupted_report_ends_its_runs "$wrong"
 rm -f "$out/slow"
 done_before=$(find "$out/report/runs" -name exit -not -path '*.part/*' -exec grep -lxE '0|1' {} + | wc -l)
-wanted=$(ls "$out/report/scenarios" | grep -cE '^(seen_0[0-5]|cutin_|map_)')
+wanted=$(cd "$out/report/scenarios" && printf '%s\n' seen_0[0-5]* cutin_* map_* | wc -l)
 rm -f "$out/calls"
 only='seen_0[0-5]* cutin_* map_*' run_report
 wrong=

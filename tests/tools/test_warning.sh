@@ -20,7 +20,7 @@ board=stc89c516rd
 late() {
     local json=$out/$1_$2_$3.json csv=$out/$1_$2_$3.csv start_m
     start_m=$(awk -v v="$2" 'BEGIN { printf "%.4f", 5 * (1 + v / 343.2) + v * 0.301 }')
-    build/drive run --brief --hex build/$board/$1.ihx --board $board --scenario tests/loop/warning.scn \
+    build/drive run --brief --hex build/$board/"$1".ihx --board $board --scenario tests/loop/warning.scn \
         --set=scenario.duration_s=2 --set=lead.gap_m="$start_m" --set=lead.speed_mps="$3" \
         --set=ego.speed_mps="$(awk -v v="$2" -v lead="$3" 'BEGIN { print v + lead }')" \
         --json "$json" --csv "$csv" >"$out/log" 2>&1

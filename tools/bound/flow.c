@@ -373,7 +373,7 @@ static bool find_rounds(struct search *search, const int *members, int count, in
 {
     const struct listing *listing = search->flow->listing;
     const struct node *nodes = search->function->nodes;
-    const char *place = NULL;
+    const char *turn = NULL;
 
     *rounds = LISTING_NO_BOUND;
     for (int i = 0; i < count; i++) {
@@ -388,9 +388,9 @@ static bool find_rounds(struct search *search, const int *members, int count, in
                             "two different `rounds:` for one loop; keep one");
         }
         *rounds = listing->rounds[address];
-        place = listing->places[address];
+        turn = listing->places[address];
     }
-    if (place == NULL) {
+    if (turn == NULL) {
         return complain(
             search->flow, nodes[header].address,
             "a loop without a bound; write /* rounds: N */ on the line of its condition");
@@ -398,7 +398,7 @@ static bool find_rounds(struct search *search, const int *members, int count, in
     for (int i = 0; i < search->function->node_count; i++) {
         const char *other = listing->places[nodes[i].address];
 
-        if (other != NULL && strcmp(other, place) == 0) {
+        if (other != NULL && strcmp(other, turn) == 0) {
             search->is_claimed[i] = true;
         }
     }

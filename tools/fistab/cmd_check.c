@@ -61,7 +61,7 @@ static int print_coverage(const struct table *table)
     const struct fis *fis = table->fis;
     struct engine *engine = engine_create(fis, &table->options.infer);
     size_t *fires = calloc(2 * fis->rules + 1, sizeof *fires);
-    size_t *leads = fires + fis->rules;
+    size_t *leads;
     double x[TABLE_INPUTS_MAX], y[FIS_VARIABLES_MAX];
     size_t at[TABLE_INPUTS_MAX];
     int status = EXIT_FINE;
@@ -69,6 +69,7 @@ static int print_coverage(const struct table *table)
     if (engine == NULL || fires == NULL) {
         status = diag_error(fis->file, 0, "out of memory");
     }
+    leads = fires + (fires != NULL ? fis->rules : 0);
     for (size_t cell = 0; status == EXIT_FINE && cell < table->cells; cell++) {
         size_t best = 0;
 

@@ -198,13 +198,13 @@ static bool join_shapes(struct plan *plan)
     }
     for (size_t count = most; count > 0; count--) {
         for (size_t i = 0; i < plan->shape_count; i++) {
-            for (size_t j = 0; j < plan->shape_count && next[i] == BYTE_VALUES; j++) {
-                if (overlaps[i][j] != count || follows[j] || same_chain(next, j, i)) {
-                    continue;
+            for (size_t j = 0; j < plan->shape_count; j++) {
+                if (next[i] == BYTE_VALUES && overlaps[i][j] == count && !follows[j] &&
+                    !same_chain(next, j, i)) {
+                    next[i] = j;
+                    known[j] = count;
+                    follows[j] = true;
                 }
-                next[i] = j;
-                known[j] = count;
-                follows[j] = true;
             }
         }
     }

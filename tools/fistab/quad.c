@@ -64,8 +64,11 @@ static void measure(const struct integrand *g, double left, double right, struct
  * If eight splits have not, a small error is the rounding of f. */
 static bool is_rounding(const struct path *path, int depth, double area)
 {
-    return depth >= LOOK_BACK && path->error[depth] > path->error[depth - LOOK_BACK] / 10 &&
-           path->error[depth] < 1e-4 * area;
+    /* cppcheck-suppress arrayIndexOutOfBoundsCond ; refine() ends at DEPTH_MAX, error[] has one
+     * more */
+    const double *error = &path->error[depth];
+
+    return depth >= LOOK_BACK && error[0] > error[-LOOK_BACK] / 10 && error[0] < 1e-4 * area;
 }
 
 static struct moments refine(struct path *path, double left, double right, int depth)

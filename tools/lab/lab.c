@@ -58,7 +58,7 @@ static double spread(int run)
 struct figures lab_standing(const struct image *image, double speed_mps, int runs)
 {
     struct scenario scenario = situation(speed_mps, 20);
-    struct figures figures;
+    struct figures figures = {0};
 
     for (int run = 0; run < runs; run++) {
         scenario.lead.gap_m = 6.5 + spread(run) * 0.06 * speed_mps; /* any phase of the sensor */
@@ -70,7 +70,7 @@ struct figures lab_standing(const struct image *image, double speed_mps, int run
 struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int runs)
 {
     struct scenario scenario = situation(10, 12);
-    struct figures figures;
+    struct figures figures = {0};
 
     scenario.lead.gap_m = 5;
     scenario.lead.speed_mps = 10;
@@ -85,7 +85,7 @@ struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int
 struct figures lab_stop_and_go(const struct image *image, double driver_mps2, int runs)
 {
     struct scenario scenario = situation(0, 120);
-    struct figures figures;
+    struct figures figures = {0};
 
     scenario.hold_s = SCENARIO_UNSET;
     scenario.ego.driver_mps = 8;

@@ -7,7 +7,7 @@ escape() {
     sed -e 's/\\/\\\\/g; s/"/\\"/g; s/</\\u003c/g; s/\t/    /g; s/\r//g' -e 's/[\x01-\x1f]//g'
 }
 
-echo '"sheets":[{"title":"Memory","caption":"Bytes, as linked: code with all tables, and how much of the chip’s that is; what the 256 of RAM leave for the stack, and the most of that which any path through the program needs.","head":["board","controller","code","used","stack","needs"],"rows":['
+echo '"sheets":[{"title":"Memory","caption":"Bytes, as linked: code with all tables, and how much of the chip'"'"'s that is; what the 256 of RAM leave for the stack, and the most of that which any path through the program needs.","head":["board","controller","code","used","stack","needs"],"rows":['
 for mem in build/*/*.mem; do
     board=$(basename "$(dirname "$mem")")
     if [ -f "firmware/boards/$board.mk" ]; then tools/memory.sh "$board" "$(basename "$mem" .mem)"; fi

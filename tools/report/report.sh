@@ -59,7 +59,7 @@ case $JOBS in
 '') ;;
 *[!0-9]* | 0*) fail "JOBS=$JOBS: give a whole number, 1 or more" ;;
 esac
-images=$(for tab in $here/tabs/*.tab; do tab_values "$tab" image | cut -d'|' -f1; done | xargs)
+images=$(for tab in "$here"/tabs/*.tab; do tab_values "$tab" image | cut -d'|' -f1; done | xargs)
 for image in $IMAGES; do
     [[ " $images " == *" $image "* ]] || fail "no image '$image'; the images are: $images"
 done
@@ -84,7 +84,7 @@ scenarios_of() {
 
 # All pairs of image and scenario.
 built=
-for tab in $here/tabs/*.tab; do
+for tab in "$here"/tabs/*.tab; do
     id=$(tab_id "$tab")
     scenarios_of "$tab" >"$work/scenarios"
     for image in $(tab_values "$tab" image | cut -d'|' -f1); do
@@ -159,7 +159,7 @@ remote=()
 if [ "$SSHLOGIN" != : ]; then
     # Each run in a folder of its own, so that no run's clean-up takes another one's files, nor ours
     # where the other machine has our home. On this machine, run_one.sh is not brought there but here.
-    remote=(--workdir ... --transferfile "$DRIVE" --transferfile $here/run_one.sh --transferfile '{2}' --transferfile '{4}'
+    remote=(--workdir ... --transferfile "$DRIVE" --transferfile "$here/run_one.sh" --transferfile '{2}' --transferfile '{4}'
         --return "$runs/{1}" --cleanup)
 fi
 if [ "$todo" -gt 0 ]; then

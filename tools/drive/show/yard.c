@@ -59,6 +59,7 @@ void yard_draw(struct yard *yard, double x_m, double y_m, double heading_deg, do
     memcpy(picture, yard->trail, sizeof picture);
     for (double side_m = 0; side_m <= yard->length_m; side_m += step_m) {
         put(yard, picture, -place_m / 2 - yard->row_m / 4, side_m, '[');
+        /* cppcheck-suppress duplicateExpression ; place_m is 2 m by chance */
         put(yard, picture, place_m / 2 + yard->row_m / 4, side_m, ']');
     }
     for (double part_m = 0; part_m <= yard->length_m; part_m += step_m) {

@@ -748,7 +748,7 @@ static void stop(struct sim *base)
     remove_folder(sim);
     for (size_t i = 0; i < sizeof handles / sizeof handles[0]; i++) {
         if (*handles[i] >= 0) {
-            close(*handles[i]);
+            (void)close(*handles[i]);
         }
     }
     free(base->edges);

@@ -155,7 +155,7 @@ static void advance(struct world *world, int64_t t_ns)
         int64_t steady = pwm_steady_ns(&world->pwm);
 
         world->now_ns = steady < t_ns ? steady : t_ns;
-        if (world->now_ns == steady) {
+        if (steady <= t_ns) {
             pwm_settle(&world->pwm);
         }
         note_demand(world);
