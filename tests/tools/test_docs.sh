@@ -143,7 +143,7 @@ say "the picture of the loop shows the demo" $? "it lacks '$sentence'; run make 
 shows() { # NAME PATTERN FILE PAGE: the blocks of PAGE have lines of that form, and each is a line of FILE
     items block "$4" | cut -f2 | grep -E -- "$2" >"$out/seen"
     [ -s "$out/seen" ] && ! grep -vxF -f "$3" "$out/seen" >"$out/untrue"
-    say "$1" $? "not so: $(head -n 1 "$out/untrue")"
+    say "$1" $? "$4 shows '$(head -n 1 "$out/untrue")'; it is '$(grep -m 1 -F -- "$(head -n 1 "$out/untrue" | cut -c1-8)" "$3")'"
 }
 drive=(build/drive run --board "$board" --scenario)
 "${drive[@]}" tests/loop/standing_car_3mps.scn --uart "$out/log" >/dev/null
@@ -159,7 +159,7 @@ sed 's/; deepest.*//' "build/$board/brake.bound" >"$out/bound"
 sed -n 's/; deepest.*//p' docs/bound.md >>"$out/bound.shown"
 shows "the bounds" '^(pwm_interrupt|control_step): ' "$out/bound" docs/bound.md
 [ -s "$out/bound.shown" ] && grep -qxF -f "$out/bound.shown" "$out/bound"
-say "the stack's bound" $? "$(cat "$out/bound.shown")"
+say "the stack's bound" $? "docs/bound.md shows '$(cat "$out/bound.shown")'; it is '$(grep '^stack: ' "$out/bound")'"
 items block docs/drive.md | cut -f2 | sed -n '/^\[scenario\]$/,$p' >"$out/shown.scn"
 "${drive[@]}" "$out/shown.scn" >"$out/said" 2>&1
 say "the scenario shown" $? "$(head -n 1 "$out/said")"
@@ -233,7 +233,7 @@ wrong_payloads() {
             /^## / { is_on = $2 == name }
             is_on && /^\| [0-9]+ \| [iu][0-9]+ / { if ($2 != bytes) print name ": byte " $2 " follows " bytes; bytes += substr($4, 2) / 8 }
             END { if (bytes != wanted) print name ": " bytes " bytes, not " wanted }' docs/controllers.md
-        ticks=$(tr '\n' ' ' <"firmware/$name/main.c" | sed -nE 's/.*_PAYLOAD_BYTES, *([0-9]+), *NAME.*/\1/p')
+        ticks=$(tr '\n' ' ' <"firmware/$name/main.c" | sed -nE 's/.*_PAYLOAD_BYTES, *([0-9]+), .*/\1/p')
         items row docs/controllers.md | cut -f2 | grep -q "^| \`$name\` |.*| $((ticks * 10)) ms |" || echo "$name: asks every $((ticks * 10)) ms"
     done
 }
