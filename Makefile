@@ -10,6 +10,7 @@ PROGRAMMER   ?= avrisp#           the programmer that avrdude uses
 FLASH        ?=#                  a command that writes $(HEX), instead of the board's own
 TABLE        ?= tables/brake.fis# the brake's fuzzy system
 GRID         ?=#                  cells of the brake's table, such as 50x50; empty: 100x100
+LEVELS       ?=#                  steps of the brake force in that table, 1 to 100; empty: 100
 REPAIR       ?=#                  makes the brake's table monotone: -1,+2
 ESTIMATOR    ?= difference#       how the brake gets its closing speed: difference or smooth
 FAULT_PCT    ?=#                  brake force in FAULT; empty: the board's

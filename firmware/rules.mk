@@ -41,23 +41,26 @@ SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
 firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
 
-# Compiles any C file of the tree with the settings of one image.
+# Compiles any C file of the tree with the settings of one image. Whatever makes a part of an image
+# removes the image first: a build that fails leaves none behind.
 define compile_rules
 $(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
-	@mkdir -p $$(@D)
+	@mkdir -p $$(@D)$(if $(2),; rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
 endef
 define image_rules
 $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
-	@mkdir -p $$(@D)
+	@mkdir -p $$(@D); rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex
 	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
 $(call compile_rules,$(1),firmware/)
 $(OUT)/$(1)/mcu/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"' -DIDENTITY_BYTES=$$(IDENTITY_BYTES)
 $(OUT)/$(1)/mcu/identity.rel $(OUT)/$(1).ihx: IDENTITY_BYTES = $$(shell printf '%s table=0xFFFF.' '$(identity_of)' | wc -c)
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
+	@rm -f $$@ $$(@:.ihx=.hex) $$(@:.ihx=.mem)
 	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
-	$$(Q)$(SDCC) $(SDCC_LINK) -Wl-bGSINIT0=$$$$(($(IDENTITY_AT) + $$(IDENTITY_BYTES))) $$(filter %.rel,$$^) -o $$@ && \
-	    (( $$$$(awk '$$$$1 == "ROM/EPROM/FLASH" { print $$$$3 }' $$(@:.ihx=.mem)) < $(CODE_BYTES) )) || { echo '$$@: error: does not fit board $(BOARD): $(CODE_BYTES) bytes of code, $(IRAM_BYTES) of RAM; see $$(@:.ihx=.mem)' >&2; exit 1; }
+	$$(Q)if $(SDCC) $(SDCC_LINK) -Wl-bGSINIT0=$$$$(($(IDENTITY_AT) + $$(IDENTITY_BYTES))) $$(filter %.rel,$$^) -o $$@ 2>$$(@:.ihx=.log) && \
+	    (( $$$$(awk '$$$$1 == "ROM/EPROM/FLASH" { print $$$$3 }' $$(@:.ihx=.mem)) < $(CODE_BYTES) )); then cat $$(@:.ihx=.log) >&2; \
+	    else rm -f $$@; tools/no_fit.sh $$(@:.ihx=) $(BOARD) $(CODE_BYTES) '$(strip $($(1)_SMALLER))' >&2; exit 1; fi
 	$$(Q)build/bound --iram=$(IRAM_BYTES) $($(1)_CYCLES:%=--cycles=%) --round=main $$@ $$(@:.ihx=.map) \
 	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
 endef
@@ -65,7 +68,7 @@ $(foreach image,$(ALL_IMAGES),$(eval $(call image_rules,$(image))))
 
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
-	@tools/memory.sh $(BOARD) $*
+	@tools/memory.sh $(BOARD) $* $(OUT)
 
 # The stamp changes when a knob does, so that objects of other settings are never linked.
 SETTINGS = $(TABLE) $(BRAKE_FISTAB) $(BRAKE_CYCLES) $(subst ',,$(SDCC_FLAGS))

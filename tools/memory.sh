@@ -1,14 +1,15 @@
 #!/bin/sh
 # Says in one line what a linked program takes of its chip:
-#     tools/memory.sh BOARD APP        after the link of build/BOARD/APP.ihx
+#     tools/memory.sh BOARD APP [FOLDER]        after the link of APP.ihx in FOLDER, build/BOARD
 # Of the stack it says what is there for it, and the most that any path through the program can take.
 set -eu
-[ $# -eq 2 ] || {
-    echo "usage: memory.sh BOARD APP" >&2
+[ $# -eq 2 ] || [ $# -eq 3 ] || {
+    echo "usage: memory.sh BOARD APP [FOLDER]" >&2
     exit 2
 }
-mem=build/$1/$2.mem
-bound=build/$1/$2.bound
+folder=${3:-build/$1}
+mem=$folder/$2.mem
+bound=$folder/$2.bound
 fragment=firmware/boards/$1.mk
 for file in "$mem" "$bound" "$fragment"; do
     [ -r "$file" ] || {

@@ -4,12 +4,15 @@
 IMAGES_OF_brake := brake tuned classic first none
 
 BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake closing range) mcu/echo mcu/uart
-BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(REPAIR:%=--repair=%)
+BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
+# What to try when an image is too large for its board.
+BRAKE_SMALLER := GRID=80x80, LEVELS=50 or REPAIR=-1,+2 makes the table smaller
 # The functions whose worst time build/BOARD/APP.bound states.
 BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_stack_is_good apply show
 
 brake_TABLE   := $(TABLE)
 brake_FISTAB   = $(BRAKE_FISTAB)
+brake_SMALLER := $(BRAKE_SMALLER)
 brake_MODULES := $(BRAKE_MODULES) brake/law_fuzzy brake/cell
 
 tuned_TABLE   := tables/brake_tuned.fis
@@ -22,6 +25,7 @@ none_FLAGS    := -DBRAKE_STOP_MM=0U -UFAULT_PCT -DFAULT_PCT=0
 define brake_law
 $(1)_TABLE    := $(TABLE)
 $(1)_FISTAB    = $$(BRAKE_FISTAB)
+$(1)_SMALLER  := $(BRAKE_SMALLER)
 $(1)_MODULES  := $(BRAKE_MODULES) brake/law_$(1)
 endef
 $(foreach law,classic first none,$(eval $(call brake_law,$(law))))

@@ -14,7 +14,7 @@
 #include <stdint.h>
 #include "cc51.h"
 #include "closing.h"
-#include "lut_table.h"
+#include "axes.h"
 
 /* The end of the table is every law's reach. */
 #define LAW_FAR_MM ((uint16_t)(LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI))

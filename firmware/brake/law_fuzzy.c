@@ -12,7 +12,7 @@ uint8_t law_step(uint8_t target, uint16_t dist_mm)
     uint8_t row, col;
 
     if (target != LAW_TRACKED) { /* nothing to be held at */
-        brake.row = LUT_IN1_CELLS - 1;
+        brake.row = CELL_ROWS_LAST;
         brake.col = 0;
     }
     row = cell_row(dist_mm);
@@ -27,10 +27,10 @@ uint8_t law_step(uint8_t target, uint16_t dist_mm)
     } else if ((uint8_t)(brake.col - col) > BRAKE_SLACK_COLS) {
         brake.col = (uint8_t)(col + BRAKE_SLACK_COLS);
     }
-    return target >= LAW_GLIMPSE ? 0 : lut_at(brake.row, brake.col);
+    return target >= LAW_GLIMPSE ? 0 : cell_pct(brake.row, brake.col);
 }
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
 {
-    return lut_at(cell_row(dist_mm), cell_col(speed->closing_mmps, speed->opening_mmps));
+    return cell_pct(cell_row(dist_mm), cell_col(speed->closing_mmps, speed->opening_mmps));
 }

@@ -20,7 +20,7 @@ static uint8_t first_sight(uint16_t dist_mm)
     brake.col =
         cell_col((uint16_t)(came_mm << 4), 0); /* in 1/16 s; it was LAW_ENTER_CS, a little less */
     brake.row = cell_row(dist_mm);
-    pct = lut_at(brake.row, brake.col);
+    pct = cell_pct(brake.row, brake.col);
     return pct < LAW_TUNED_FIRST_PCT ? pct : LAW_TUNED_FIRST_PCT;
 }
 
@@ -37,10 +37,10 @@ uint8_t law_step(uint8_t target, uint16_t dist_mm)
     }
     brake.col = cell_col(BRAKE_SPEED.closing_mmps, BRAKE_SPEED.opening_mmps);
     brake.row = cell_row(dist_mm);
-    return ease_pct(lut_at(brake.row, brake.col), dist_mm);
+    return ease_pct(cell_pct(brake.row, brake.col), dist_mm);
 }
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
 {
-    return lut_at(cell_row(dist_mm), cell_col(speed->closing_mmps, speed->opening_mmps));
+    return cell_pct(cell_row(dist_mm), cell_col(speed->closing_mmps, speed->opening_mmps));
 }

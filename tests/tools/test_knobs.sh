@@ -12,7 +12,7 @@ law=(make BOARD=generic8052 OUT="$out" "$out/brake/brake/law_fuzzy.rel" "$out/br
 refuses "a table of three inputs" 2 "the brake needs a table of two inputs: distance in m, closing speed in m/s" "${law[@]}" TABLE=tables/follow.fis
 refuses "a table of one input" 2 "the brake needs a table of two inputs" "${law[@]}" TABLE=tables/park.fis
 sed '/^\[Input2\]/,$!{s/Range=\[1 5\]/Range=[100 500]/; s/\[\([0-9]\) \([0-9]\) \([0-9]\)/[\100 \200 \300/; s/00 \([0-9]\)\]/00 \100]/}' tables/brake.fis >"$out/cm.fis"
-refuses "a table in centimetres" 2 "an axis of the table is too long: at most 65.535 m or m/s from end to end" "${law[@]}" TABLE="$out/cm.fis"
+refuses "a table in centimetres" 2 "an axis is too long: at most 65.535 m or m/s from end to end" "${law[@]}" TABLE="$out/cm.fis"
 
 report=(tools/report/report.sh stc89c516rd)
 export REPORT_OUT=$out/report

@@ -20,11 +20,11 @@ static void test_every_distance_and_speed_lies_in_its_cell(void)
 
 static void test_axes_go_by_bytes_where_their_cells_allow(void)
 {
-    TEST_ASSERT_TRUE(FITS(4000UL, 100) && IS_NARROW(4000UL, 100));
-    TEST_ASSERT_TRUE(FITS(7000UL, 100) && IS_NARROW(7000UL, 100));
-    TEST_ASSERT_TRUE(FITS(35000UL, 100) && !IS_NARROW(35000UL, 100));
-    TEST_ASSERT_FALSE(FITS(4950UL, 100)); /* 49.5 */
-    TEST_ASSERT_FALSE(FITS(4096UL, 256)); /* 256 * 2^SHIFT / 16 is no byte */
+    TEST_ASSERT_TRUE(GOES_BY_BYTES(4000UL, 100) && IS_NARROW(4000UL, 100));
+    TEST_ASSERT_TRUE(GOES_BY_BYTES(7000UL, 100) && IS_NARROW(7000UL, 100));
+    TEST_ASSERT_TRUE(GOES_BY_BYTES(35000UL, 100) && !IS_NARROW(35000UL, 100));
+    TEST_ASSERT_FALSE(GOES_BY_BYTES(4950UL, 100)); /* 49.5 */
+    TEST_ASSERT_FALSE(GOES_BY_BYTES(4096UL, 256)); /* 256 * 2^SHIFT / 16 is no byte */
 }
 
 #ifndef __SDCC_mcs51
@@ -36,17 +36,32 @@ static void test_every_axis_that_goes_by_bytes_is_right_for_every_value(void)
         for (width = 1; width * cells <= 65535U && width <= 600; width++) {
             uint32_t span = width * cells;
 
-            for (value = 0; FITS(span, cells) && value < span; value++) {
+            for (value = 0; GOES_BY_BYTES(span, cells) && value < span; value++) {
                 uint16_t x = (uint16_t)value;
-                uint8_t cell;
+                uint8_t cell = CELL_BY_BYTES(x, span, cells);
 
-                if (IS_NARROW(span, cells)) {
-                    CELL_NARROW(cell, x, span, cells);
-                } else {
-                    CELL_WIDE(cell, x, span, cells);
-                }
                 if (cell != value / width) {
                     TEST_ASSERT_EQUAL_UINT32_MESSAGE(value / width, cell, "not the quotient");
+                }
+            }
+        }
+    }
+}
+
+/* Every value on axes of any length, whole cells or not, and shorter than their number of cells. */
+static void test_every_axis_that_goes_by_subtraction_is_right_for_every_value(void)
+{
+    static const uint16_t spans[] = {1, 2, 99, 255, 256, 2999, 4001, 32767, 32768, 64999, 65535};
+    static const uint16_t counts[] = {1, 2, 3, 99, 100, 127, 128, 200, 255, 256};
+
+    for (size_t s = 0; s < sizeof spans / sizeof spans[0]; s++) {
+        for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
+            for (uint32_t x = 0; x < spans[s]; x++) {
+                uint8_t cell = cell_by_subtraction((uint16_t)x, spans[s], (uint8_t)(counts[c] - 1));
+
+                if (cell != x * counts[c] / spans[s]) {
+                    TEST_ASSERT_EQUAL_UINT32_MESSAGE(x * counts[c] / spans[s], cell,
+                                                     "not the quotient");
                 }
             }
         }
@@ -61,6 +76,7 @@ int main(void)
     RUN_TEST(test_axes_go_by_bytes_where_their_cells_allow);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_every_axis_that_goes_by_bytes_is_right_for_every_value);
+    RUN_TEST(test_every_axis_that_goes_by_subtraction_is_right_for_every_value);
 #endif
     return UNITY_END();
 }
