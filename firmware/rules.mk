@@ -33,9 +33,7 @@ OUT := build/$(BOARD)
 
 SDCC_FLAGS = --i-code-in-asm -DIDENTITY_AT=$(IDENTITY_AT) -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
     -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
-# Who an image is, but for its table (identity.h). The text follows the vectors of an 8052's six
-# interrupts and the jump to main; the linker puts all other code behind it.
-IDENTITY_AT := 0x32
+# Who an image is, but for its table (identity.h). The linker puts all other code behind the text.
 identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 

@@ -3,6 +3,8 @@
 #include "canary.h"
 #include "cpu.h"
 #include "diag.h"
+#include "hexfile.h"
+#include "identity.h"
 #include "list.h"
 #include "live.h"
 #include "protocols.h"
@@ -283,6 +285,9 @@ static int report(const struct run *run, const struct scenario *scenario,
             status = EXIT_INPUT;
         }
     }
+    if (!arguments->brief && arguments->paths.image != NULL) {
+        printf("  image: %s\n", arguments->paths.image);
+    }
     if (arguments->stats) {
         printf("  %.2f s simulated in %.2f s: %.2f times real time, %lld syncs%s\n",
                (double)(run->boot_ns + run->duration_ns) * 1e-9, run->wall_s,
@@ -328,8 +333,28 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
     return status;
 }
 
+/* Lets the run use what the image says of itself, or refuses the image. */
+static int take_identity(struct arguments *arguments, const struct run_setup *setup,
+                         struct board *board)
+{
+    static struct hexfile hex;
+    static struct identity identity;
+    int status = hexfile_read(&hex, setup->hex);
+
+    if (status != EXIT_FINE) {
+        return status;
+    }
+    identity_find(&identity, &hex);
+    if (identity.text[0] != '\0') {
+        arguments->paths.image = identity.text;
+        board->clk_hz = identity.clk_hz;
+    }
+    return identity_check(&identity, setup->hex, board->name, setup->scenario->world->name);
+}
+
 static int command_run(struct arguments *arguments)
 {
+    struct board board;
     char image[SCENARIO_TEXT + 64];
     struct scenario scenario;
     struct run_setup setup = {.hex = arguments->hex,
@@ -353,6 +378,11 @@ static int command_run(struct arguments *arguments)
     if (arguments->hex == NULL) {
         snprintf(image, sizeof image, "build/%s/%s.ihx", setup.board->name, scenario.app);
         setup.hex = arguments->hex = image;
+    }
+    board = *setup.board;
+    setup.board = &board;
+    if (take_identity(arguments, &setup, &board) != EXIT_FINE) {
+        return EXIT_USAGE;
     }
     add_understood(&scenario);
     setup.guess = arguments->guess && !arguments->live;

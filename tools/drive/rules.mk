@@ -1,7 +1,7 @@
 # drive: its rooms see each other's headers.
 drive_SRC  := $(filter-out tools/drive/sim/canary_image.c,$(drive_SRC))
 drive_LIBS := -linih -lcjson -lm
-build/host/tools/drive/%.o build/sanitized/tools/drive/%.o: HOST_FLAGS += $(DRIVE_ROOMS)
+build/host/tools/drive/%.o build/sanitized/tools/drive/%.o: HOST_FLAGS += $(DRIVE_ROOMS) -DIDENTITY_AT=$(IDENTITY_AT)
 
 # What drive must know of a board comes from the fragment that builds the board's firmware, and from the
 # pins that all boards share, in the order of enum board_pin.

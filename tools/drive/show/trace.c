@@ -17,6 +17,7 @@ static double seconds(int64_t t_ns)
 
 /* --- CSV ---------------------------------------------------------------------------------- */
 
+/* The image's identity stands in a last column, in the first row. */
 static void csv_begin(const struct trace *trace)
 {
     fputs("t_s", trace->csv.stream);
@@ -29,10 +30,10 @@ static void csv_begin(const struct trace *trace)
     for (int i = 0; i < trace->class->reported_count; i++) {
         fprintf(trace->csv.stream, ",%s", trace->class->reported[i]);
     }
-    fputc('\n', trace->csv.stream);
+    fputs(trace->image != NULL ? ",image\n" : "\n", trace->csv.stream);
 }
 
-static void csv_row(const struct trace *trace, int64_t t_ns, const double *values,
+static void csv_row(struct trace *trace, int64_t t_ns, const double *values,
                     const struct telemetry *telemetry)
 {
     fprintf(trace->csv.stream, "%.2f", seconds(t_ns));
@@ -47,6 +48,10 @@ static void csv_row(const struct trace *trace, int64_t t_ns, const double *value
     }
     for (int i = 0; i < trace->class->reported_count; i++) {
         fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, trace->class->reported[i]));
+    }
+    if (trace->image != NULL) {
+        fprintf(trace->csv.stream, ",%s", trace->image_is_said ? "" : trace->image);
+        trace->image_is_said = true;
     }
     fputc('\n', trace->csv.stream);
 }
@@ -228,6 +233,9 @@ static void json_write(struct trace *trace, const struct run *run, const struct 
     cJSON_AddStringToObject(root, "title", setup->scenario->title);
     cJSON_AddStringToObject(root, "board", setup->board->name);
     cJSON_AddStringToObject(root, "hex", setup->hex);
+    if (trace->image != NULL) {
+        cJSON_AddStringToObject(root, "image", trace->image);
+    }
     json_number(root, "seed", (double)setup->seed);
     json_number(root, "duration_s", seconds(run->duration_ns));
     json_number(root, "boot_s", seconds(run->boot_ns));
@@ -286,6 +294,7 @@ static void memory_end(struct trace_file *file)
 static void begin(struct trace *trace)
 {
     trace->vcd_ns = -1;
+    trace->image_is_said = false;
     trace->vcd_state[0] = '\0';
     for (int i = 0; i < WORLD_COLUMNS + 2; i++) {
         trace->series[i].length = 0;
@@ -306,6 +315,7 @@ int trace_open(struct trace *trace, const struct trace_paths *paths,
 
     memset(trace, 0, sizeof *trace);
     trace->class = class;
+    trace->image = paths->image;
     for (int i = 0; i < 4; i++) {
         if (wanted[i] == NULL) {
             continue;

@@ -21,10 +21,13 @@ struct trace {
         char *text; /* "[0,0.01,..." */
         size_t length, capacity;
     } series[WORLD_COLUMNS + 2]; /* of JSON: the time, the columns, the state */
+    const char *image;           /* what the image says of itself; NULL: nothing */
+    bool image_is_said;          /* in CSV */
 };
 
 struct trace_paths {
     const char *csv, *vcd, *json, *uart; /* NULL: not wanted */
+    const char *image;                   /* what the image says of itself; NULL: nothing */
 };
 
 /* Opens what is wanted. Returns EXIT_FINE, or EXIT_INPUT after a message. */

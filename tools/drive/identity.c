@@ -1,0 +1,49 @@
+#include "identity.h"
+
+#include "diag.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void identity_find(struct identity *identity, const struct hexfile *hex)
+{
+    char image[2 * IDENTITY_WORD];
+    size_t length = 0;
+
+    memset(identity, 0, sizeof *identity);
+    while (length < IDENTITY_TEXT - 1 && hex->used[IDENTITY_AT + length] &&
+           hex->code[IDENTITY_AT + length] >= ' ' && hex->code[IDENTITY_AT + length] <= '~') {
+        identity->text[length] = (char)hex->code[IDENTITY_AT + length];
+        length++;
+    }
+    if (sscanf(identity->text, "fuzzy51 %*15s %63s %31s %ld Hz table=", image, identity->board,
+               &identity->clk_hz) != 3) {
+        memset(identity, 0, sizeof *identity);
+        return;
+    }
+    snprintf(identity->controller, sizeof identity->controller, "%.*s", (int)strcspn(image, "/"),
+             image);
+}
+
+int identity_check(const struct identity *identity, const char *hex, const char *board,
+                   const char *controller)
+{
+    if (identity->text[0] == '\0') {
+        return EXIT_FINE;
+    }
+    if (strcmp(identity->board, board) != 0) {
+        diag_error(hex, 0,
+                   "this image was built for board %s, not for %s; give --board=%s, or run: "
+                   "make BOARD=%s",
+                   identity->board, board, identity->board, board);
+        return EXIT_USAGE;
+    }
+    if (strcmp(identity->controller, controller) != 0) {
+        diag_error(hex, 0,
+                   "this image is a controller '%s', and the scenario drives '%s', which has "
+                   "another sensor and another world; give an image of '%s'",
+                   identity->controller, controller, controller);
+        return EXIT_USAGE;
+    }
+    return EXIT_FINE;
+}
