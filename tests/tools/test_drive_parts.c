@@ -75,7 +75,7 @@ static void count_line(void *user, const struct telemetry *seen)
 
 static void say(const char *text, int64_t t_ns)
 {
-    telemetry_take(&telemetry, t_ns, text, strlen(text), count_line, NULL);
+    telemetry_take(&telemetry, t_ns, t_ns, text, strlen(text), count_line, NULL);
 }
 
 static void test_that_columns_are_found_by_their_names(void)
@@ -109,7 +109,7 @@ static void test_that_endless_lines_and_zeros_do_no_harm(void)
     memset(noise, 'x', sizeof noise);
     noise[500] = '\0';
     for (int i = 0; i < 20; i++) {
-        telemetry_take(&telemetry, i, noise, sizeof noise, NULL, NULL);
+        telemetry_take(&telemetry, i, i, noise, sizeof noise, NULL, NULL);
     }
     say("\nseq,state\n1,B\n", 30);
     TEST_ASSERT_EQUAL_STRING("B", telemetry_value(&telemetry, "state"));

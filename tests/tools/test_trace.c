@@ -41,9 +41,17 @@ void tearDown(void)
     unlink(uart);
 }
 
-static void say(const char *text)
+static void keep_line(void *user, const struct telemetry *telemetry)
 {
-    telemetry_take(&run.telemetry, 0, text, strlen(text), NULL, NULL);
+    (void)user;
+    trace_line(&trace, telemetry);
+}
+
+/* The controller sends TEXT at 20 ms, about a measurement at MEASURED_MS. */
+static void say(const char *text, int64_t measured_ms)
+{
+    telemetry_take(&run.telemetry, 20000000, measured_ms * 1000000, text, strlen(text), keep_line,
+                   NULL);
     run.outcome.uart = run.telemetry.log;
 }
 
@@ -53,8 +61,9 @@ static void two_rows(void)
     const double second[WORLD_COLUMNS] = {4.98765, 2.5, 0, -1.23456, 36.04, 1, 1, 0};
 
     trace_row(&trace, 0, first, &run.telemetry);
-    say("seq,dist_mm,closing_mmps,state,fault\r\n1,4988,,CONTROL,0\r\n");
     trace_row(&trace, 10000000, second, &run.telemetry);
+    say("seq,dist_mm,closing_mmps,state,fault\r\n1,4988,,CONTROL,0\r\n", 10);
+    trace_row(&trace, 20000000, second, &run.telemetry);
 }
 
 static char *contents(const char *path)
@@ -75,7 +84,8 @@ static void test_that_a_row_is_a_line_of_csv(void)
     TEST_ASSERT_EQUAL_STRING("t_s,gap_m,ego_mps,lead_mps,accel_mps2,brake_pct,stop,lamp,buzzer,"
                              "state,fault,dist_mm,closing_mmps\n"
                              "0.00,,3.0000,,0.000,0.0,0,0,0,,,,\n"
-                             "0.01,4.9877,2.5000,0.0000,-1.235,36.0,1,1,0,CONTROL,0,4988,\n",
+                             "0.01,4.9877,2.5000,0.0000,-1.235,36.0,1,1,0,CONTROL,0,4988,\n"
+                             "0.02,4.9877,2.5000,0.0000,-1.235,36.0,1,1,0,CONTROL,0,4988,\n",
                              contents(csv));
     TEST_ASSERT_NOT_NULL(strstr(contents(uart), "4988"));
 }
@@ -116,10 +126,15 @@ static void test_that_the_json_can_be_read_again(void)
     TEST_ASSERT_TRUE(
         cJSON_IsNull(cJSON_GetObjectItem(cJSON_GetObjectItem(root, "outcome"), "stop_within_s")));
     series = cJSON_GetObjectItem(root, "series");
-    TEST_ASSERT_EQUAL(10, cJSON_GetArraySize(series));
+    TEST_ASSERT_EQUAL(13, cJSON_GetArraySize(series)); /* as many as CSV has */
     for (cJSON *one = series->child; one != NULL; one = one->next) {
-        TEST_ASSERT_EQUAL(2, cJSON_GetArraySize(one));
+        TEST_ASSERT_EQUAL(3, cJSON_GetArraySize(one));
     }
+    TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetArrayItem(cJSON_GetObjectItem(series, "dist_mm"), 0)));
+    TEST_ASSERT_EQUAL_DOUBLE(
+        4988, cJSON_GetNumberValue(cJSON_GetArrayItem(cJSON_GetObjectItem(series, "dist_mm"), 1)));
+    TEST_ASSERT_EQUAL_STRING("CONTROL", cJSON_GetStringValue(cJSON_GetArrayItem(
+                                            cJSON_GetObjectItem(series, "state"), 1)));
     TEST_ASSERT_TRUE(cJSON_IsNull(cJSON_GetArrayItem(cJSON_GetObjectItem(series, "gap_m"), 0)));
     TEST_ASSERT_EQUAL_DOUBLE(
         36, cJSON_GetNumberValue(cJSON_GetArrayItem(cJSON_GetObjectItem(series, "brake_pct"), 1)));

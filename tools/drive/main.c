@@ -306,8 +306,10 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
     struct trace trace;
     struct live live;
     struct run run;
-    struct run_observer observers[] = {{&trace, trace_restart, trace_pin, trace_row},
-                                       {&live, NULL, NULL, live_row}};
+    struct run_observer observers[] = {
+        {.user = &trace, trace_restart, trace_pin, trace_line, trace_row},
+        {.user = &live, .row = live_row},
+    };
     int status;
 
     if (trace_open(&trace, &arguments->paths, class) != EXIT_FINE) {

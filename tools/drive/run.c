@@ -128,22 +128,35 @@ static void take_edges(struct loop *loop)
     }
 }
 
-static void note_state(void *user, const struct telemetry *telemetry)
+static void note_state(struct loop *loop, const char *state)
 {
-    struct loop *loop = user;
     struct outcome *outcome = &loop->run->outcome;
-    const char *state = telemetry_value(telemetry, "state");
     char word[TELEMETRY_FIELD_SIZE + 2];
 
-    if (state[0] == '\0' || !loop->run->triggered) {
-        return;
-    }
-    loop->class->state_reported(loop->world, telemetry->line_ns, state);
     snprintf(outcome->final_state, sizeof outcome->final_state, "%s", state);
     snprintf(word, sizeof word, "%s ", state);
     if (strstr(outcome->states, word) == NULL &&
         strlen(outcome->states) + strlen(word) < sizeof outcome->states) {
         strcat(outcome->states, word);
+    }
+}
+
+static void take_line(void *user, const struct telemetry *telemetry)
+{
+    struct loop *loop = user;
+    const char *state = telemetry_value(telemetry, "state");
+
+    if (!loop->run->triggered) {
+        return;
+    }
+    for (int i = 0; i < loop->observer_count; i++) {
+        if (loop->observers[i].line != NULL) {
+            loop->observers[i].line(loop->observers[i].user, telemetry);
+        }
+    }
+    if (state[0] != '\0') {
+        loop->class->state_reported(loop->world, telemetry->line_ns, state);
+        note_state(loop, state);
     }
 }
 
@@ -153,7 +166,8 @@ static void take_uart(struct loop *loop)
     size_t got;
 
     while ((got = sim_receive(loop->sim, bytes, sizeof bytes)) > 0) {
-        telemetry_take(&loop->run->telemetry, loop->now_ns, bytes, got, note_state, loop);
+        telemetry_take(&loop->run->telemetry, loop->now_ns, loop->class->measured_ns(loop->world),
+                       bytes, got, take_line, loop);
     }
 }
 

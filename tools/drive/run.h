@@ -36,6 +36,8 @@ struct run_observer {
     void *user;
     void (*restart)(void *user); /* forget all: the run begins again */
     void (*pin)(void *user, int64_t t_ns, enum board_pin pin, bool level);
+    void (*line)(void *user,
+                 const struct telemetry *telemetry); /* the controller sent a CSV line */
     void (*row)(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
                 const struct telemetry *telemetry);
 };

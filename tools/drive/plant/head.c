@@ -209,6 +209,7 @@ bool head_is_warm(const struct head *head)
 
 void head_start(struct head *head)
 {
+    head->answered_ns = 0;
     head->due_ns = head->bad_ns = head->rise_ns = INT64_MAX;
 }
 
@@ -255,6 +256,7 @@ size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
     if (head->warm_left > 0) {
         head->warm_left--;
     }
+    head->answered_ns = head->due_ns - head->delay_ns;
     head->due_ns = INT64_MAX;
     return size;
 }

@@ -78,10 +78,11 @@ struct head {
     struct random random;
     struct random noise; /* apart, so that noise does not change which frames are bad */
     head_spoil_fn *spoil;
-    int64_t rise_ns; /* of the trigger; INT64_MAX: it has not risen yet */
-    int warm_left;   /* frames still to be answered before the world starts */
-    int count;       /* of the next frame */
-    int64_t due_ns;  /* the answer's first byte; INT64_MAX: none is due */
+    int64_t rise_ns;     /* of the trigger; INT64_MAX: it has not risen yet */
+    int warm_left;       /* frames still to be answered before the world starts */
+    int count;           /* of the next frame */
+    int64_t due_ns;      /* the answer's first byte; INT64_MAX: none is due */
+    int64_t answered_ns; /* when the measurement of the last answer was made; 0: none was */
     uint8_t payload[HEAD_PAYLOAD_MAX];
     uint8_t last[HEAD_LINE_MAX]; /* the frame before, for a head that repeats itself */
     size_t last_size;

@@ -70,7 +70,8 @@ static bool take_line(struct telemetry *telemetry)
     return true;
 }
 
-void telemetry_take(struct telemetry *telemetry, int64_t t_ns, const char *bytes, size_t size,
+void telemetry_take(struct telemetry *telemetry, int64_t t_ns, int64_t measured_ns,
+                    const char *bytes, size_t size,
                     void (*line_done)(void *user, const struct telemetry *telemetry), void *user)
 {
     keep(telemetry, bytes, size);
@@ -79,6 +80,7 @@ void telemetry_take(struct telemetry *telemetry, int64_t t_ns, const char *bytes
 
         if (telemetry->line_length == 0) {
             telemetry->begun_ns = t_ns;
+            telemetry->begun_for_ns = measured_ns > telemetry->line_for_ns ? measured_ns : t_ns;
         }
         if (c != '\r' && c != '\n') {
             if (telemetry->line_length < TELEMETRY_LINE - 1) {
@@ -90,6 +92,7 @@ void telemetry_take(struct telemetry *telemetry, int64_t t_ns, const char *bytes
         telemetry->line_length = 0;
         if (take_line(telemetry)) {
             telemetry->line_ns = telemetry->begun_ns;
+            telemetry->line_for_ns = telemetry->begun_for_ns;
             if (line_done != NULL) {
                 line_done(user, telemetry);
             }

@@ -17,15 +17,19 @@ struct telemetry {
     int fields;
     char line[TELEMETRY_LINE];
     size_t line_length;
-    int64_t begun_ns; /* when the first byte of the line being received came */
-    int64_t line_ns;  /* the same of the last whole line */
+    int64_t begun_ns;     /* when the first byte of the line being received came */
+    int64_t begun_for_ns; /* the time of what that line tells */
+    int64_t line_ns;      /* the same of the last whole line */
+    int64_t line_for_ns;  /* its measurement, or line_ns where there was no new one */
 };
 
 void telemetry_init(struct telemetry *telemetry);
 void telemetry_free(struct telemetry *telemetry);
 
-/* Bytes that came in until T_NS. Calls LINE_DONE, if any, after each CSV line. */
-void telemetry_take(struct telemetry *telemetry, int64_t t_ns, const char *bytes, size_t size,
+/* Bytes that came in until T_NS, when the last measurement was over at MEASURED_NS. Calls
+ * LINE_DONE, if any, after each CSV line. */
+void telemetry_take(struct telemetry *telemetry, int64_t t_ns, int64_t measured_ns,
+                    const char *bytes, size_t size,
                     void (*line_done)(void *user, const struct telemetry *telemetry), void *user);
 
 /* The last value of the column of that name; "" when there is none yet. */

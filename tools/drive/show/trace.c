@@ -2,7 +2,7 @@
 
 #include <cjson/cJSON.h>
 #include <math.h>
-#include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,45 +15,101 @@ static double seconds(int64_t t_ns)
     return (double)t_ns * 1e-9;
 }
 
+/* --- rows and lines ------------------------------------------------------------------------ */
+
+static int reported_count(const struct trace *trace)
+{
+    return REPORTED + trace->class->reported_count;
+}
+
+/* The names of the reported columns: state, fault, then the world's own. */
+static const char *reported_name(const struct trace *trace, int index)
+{
+    return index < REPORTED ? reported[index] : trace->class->reported[index - REPORTED];
+}
+
+/* Makes room in ARRAY for one more item of SIZE bytes. */
+static void *grown(void *array, size_t count, size_t *capacity, size_t size)
+{
+    if (count == *capacity) {
+        *capacity = *capacity * 2 + 256;
+        array = realloc(array, *capacity * size);
+        if (array == NULL) {
+            abort();
+        }
+    }
+    return array;
+}
+
+void trace_line(void *user, const struct telemetry *telemetry)
+{
+    struct trace *trace = user;
+    struct trace_line *line;
+
+    trace->lines =
+        grown(trace->lines, trace->line_count, &trace->line_capacity, sizeof trace->lines[0]);
+    line = &trace->lines[trace->line_count++];
+    line->for_ns = telemetry->line_for_ns;
+    for (int i = 0; i < reported_count(trace) && i < TRACE_REPORTED; i++) {
+        strcpy(line->values[i], telemetry_value(telemetry, reported_name(trace, i)));
+    }
+}
+
+static void keep_row(struct trace *trace, int64_t t_ns, const double *values)
+{
+    struct trace_row *row;
+
+    trace->rows = grown(trace->rows, trace->row_count, &trace->row_capacity, sizeof trace->rows[0]);
+    row = &trace->rows[trace->row_count++];
+    row->t_ns = t_ns;
+    memcpy(row->values, values, sizeof row->values);
+}
+
+/* What the controller has reported for ROW; *LINE is the number of lines for rows so far. "":
+ * nothing yet. */
+static const char *reported_at(const struct trace *trace, const struct trace_row *row, size_t *line,
+                               int index)
+{
+    while (*line < trace->line_count && trace->lines[*line].for_ns <= row->t_ns) {
+        ++*line;
+    }
+    return *line == 0 ? "" : trace->lines[*line - 1].values[index];
+}
+
 /* --- CSV ---------------------------------------------------------------------------------- */
 
 /* The image's identity stands in a last column, in the first row. */
-static void csv_begin(const struct trace *trace)
+static void csv_write(const struct trace *trace)
 {
-    fputs("t_s", trace->csv.stream);
-    for (int i = 0; i < trace->class->column_count; i++) {
-        fprintf(trace->csv.stream, ",%s", trace->class->columns[i].name);
-    }
-    for (int i = 0; i < REPORTED; i++) {
-        fprintf(trace->csv.stream, ",%s", reported[i]);
-    }
-    for (int i = 0; i < trace->class->reported_count; i++) {
-        fprintf(trace->csv.stream, ",%s", trace->class->reported[i]);
-    }
-    fputs(trace->image != NULL ? ",image\n" : "\n", trace->csv.stream);
-}
+    FILE *out = trace->csv.stream;
+    size_t line = 0;
 
-static void csv_row(struct trace *trace, int64_t t_ns, const double *values,
-                    const struct telemetry *telemetry)
-{
-    fprintf(trace->csv.stream, "%.2f", seconds(t_ns));
+    fputs("t_s", out);
     for (int i = 0; i < trace->class->column_count; i++) {
-        fputc(',', trace->csv.stream);
-        if (!isnan(values[i])) {
-            fprintf(trace->csv.stream, "%.*f", trace->class->columns[i].decimals, values[i] + 0.0);
+        fprintf(out, ",%s", trace->class->columns[i].name);
+    }
+    for (int i = 0; i < reported_count(trace); i++) {
+        fprintf(out, ",%s", reported_name(trace, i));
+    }
+    fputs(trace->image != NULL ? ",image\n" : "\n", out);
+    for (size_t k = 0; k < trace->row_count; k++) {
+        const struct trace_row *row = &trace->rows[k];
+
+        fprintf(out, "%.2f", seconds(row->t_ns));
+        for (int i = 0; i < trace->class->column_count; i++) {
+            fputc(',', out);
+            if (!isnan(row->values[i])) {
+                fprintf(out, "%.*f", trace->class->columns[i].decimals, row->values[i] + 0.0);
+            }
         }
+        for (int i = 0; i < reported_count(trace); i++) {
+            fprintf(out, ",%s", reported_at(trace, row, &line, i));
+        }
+        if (trace->image != NULL) {
+            fprintf(out, ",%s", k == 0 ? trace->image : "");
+        }
+        fputc('\n', out);
     }
-    for (int i = 0; i < REPORTED; i++) {
-        fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, reported[i]));
-    }
-    for (int i = 0; i < trace->class->reported_count; i++) {
-        fprintf(trace->csv.stream, ",%s", telemetry_value(telemetry, trace->class->reported[i]));
-    }
-    if (trace->image != NULL) {
-        fprintf(trace->csv.stream, ",%s", trace->image_is_said ? "" : trace->image);
-        trace->image_is_said = true;
-    }
-    fputc('\n', trace->csv.stream);
 }
 
 /* --- VCD ---------------------------------------------------------------------------------- */
@@ -121,57 +177,97 @@ void trace_pin(void *user, int64_t t_ns, enum board_pin pin, bool level)
 
 /* --- JSON --------------------------------------------------------------------------------- */
 
-static void series_add(struct trace *trace, int index, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/* A list as JSON, written item by item. */
+struct list {
+    FILE *out;
+    char *text;
+    size_t size;
+};
 
-static void series_add(struct trace *trace, int index, const char *format, ...)
+static void list_begin(struct list *list)
 {
-    char item[64];
-    size_t length;
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(item, sizeof item, format, arguments);
-    va_end(arguments);
-    length = strlen(item);
-    if (trace->series[index].length + length + 3 > trace->series[index].capacity) {
-        trace->series[index].capacity = trace->series[index].capacity * 2 + 4096;
-        trace->series[index].text =
-            realloc(trace->series[index].text, trace->series[index].capacity);
-        if (trace->series[index].text == NULL) {
-            abort();
-        }
+    list->out = open_memstream(&list->text, &list->size);
+    if (list->out == NULL) {
+        abort();
     }
-    trace->series[index].text[trace->series[index].length] =
-        trace->series[index].length == 0 ? '[' : ',';
-    memcpy(trace->series[index].text + trace->series[index].length + 1, item, length + 1);
-    trace->series[index].length += length + 1;
 }
 
-static void json_row(struct trace *trace, int64_t t_ns, const double *values, const char *state)
+/* Ends LIST as the member NAME of OBJECT. */
+static void list_end(struct list *list, cJSON *object, const char *name)
 {
-    series_add(trace, 0, "%.2f", seconds(t_ns));
-    for (int i = 0; i < trace->class->column_count; i++) {
-        if (isnan(values[i])) {
-            series_add(trace, i + 1, "null");
+    fputc(']', list->out);
+    fclose(list->out);
+    cJSON_AddRawToObject(object, name, list->text);
+    free(list->text);
+}
+
+static const char *separator(size_t index)
+{
+    return index == 0 ? "[" : ",";
+}
+
+static bool is_number(const char *text)
+{
+    return text[0] != '\0' && text[text[0] == '-'] != '\0' &&
+           strspn(text + (text[0] == '-'), "0123456789") == strlen(text + (text[0] == '-'));
+}
+
+/* Column I of the world, or with I = -1 the time. */
+static void json_column(const struct trace *trace, cJSON *series, int i)
+{
+    struct list list;
+
+    list_begin(&list);
+    for (size_t k = 0; k < trace->row_count; k++) {
+        const struct trace_row *row = &trace->rows[k];
+
+        fputs(separator(k), list.out);
+        if (i < 0) {
+            fprintf(list.out, "%.2f", seconds(row->t_ns));
+        } else if (isnan(row->values[i])) {
+            fputs("null", list.out);
         } else {
-            series_add(trace, i + 1, "%.*f", trace->class->columns[i].decimals, values[i] + 0.0);
+            fprintf(list.out, "%.*f", trace->class->columns[i].decimals, row->values[i] + 0.0);
         }
     }
-    series_add(trace, trace->class->column_count + 1, "\"%.15s\"", state);
+    list_end(&list, series, i < 0 ? "t_s" : trace->class->columns[i].name);
 }
 
-static cJSON *json_series(struct trace *trace)
+static void json_reported(const struct trace *trace, cJSON *series, int i)
+{
+    struct list list;
+    size_t line = 0;
+
+    list_begin(&list);
+    for (size_t k = 0; k < trace->row_count; k++) {
+        const char *value = reported_at(trace, &trace->rows[k], &line, i);
+
+        fputs(separator(k), list.out);
+        if (is_number(value)) {
+            fprintf(list.out, "%ld", strtol(value, NULL, 10));
+        } else if (value[0] == '\0') {
+            fputs(strcmp(reported_name(trace, i), "state") == 0 ? "\"\"" : "null", list.out);
+        } else {
+            cJSON *string = cJSON_CreateString(value);
+            char *text = cJSON_PrintUnformatted(string);
+
+            fputs(text, list.out);
+            free(text);
+            cJSON_Delete(string);
+        }
+    }
+    list_end(&list, series, reported_name(trace, i));
+}
+
+static cJSON *json_series(const struct trace *trace)
 {
     cJSON *series = cJSON_CreateObject();
 
-    for (int i = 0; i < trace->class->column_count + 2; i++) {
-        const char *name = i == 0                            ? "t_s"
-                           : i <= trace->class->column_count ? trace->class->columns[i - 1].name
-                                                             : "state";
-
-        strcat(trace->series[i].text, "]");
-        cJSON_AddRawToObject(series, name, trace->series[i].text);
+    for (int i = -1; i < trace->class->column_count; i++) {
+        json_column(trace, series, i);
+    }
+    for (int i = 0; i < reported_count(trace); i++) {
+        json_reported(trace, series, i);
     }
     return series;
 }
@@ -241,7 +337,7 @@ static void json_write(struct trace *trace, const struct run *run, const struct 
     json_number(root, "boot_s", seconds(run->boot_ns));
     cJSON_AddItemToObject(root, "outcome", json_outcome(&run->outcome));
     cJSON_AddItemToObject(root, "expect", json_expect(setup->scenario, &run->outcome));
-    if (trace->series[0].length > 0) {
+    if (trace->row_count > 0) {
         cJSON_AddItemToObject(root, "series", json_series(trace));
     }
     text = cJSON_Print(root);
@@ -260,16 +356,12 @@ void trace_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
                const struct telemetry *telemetry)
 {
     struct trace *trace = user;
-    const char *state = telemetry_value(telemetry, "state");
 
-    if (trace->csv.stream != NULL) {
-        csv_row(trace, t_ns, values, telemetry);
-    }
     if (trace->vcd.stream != NULL) {
-        vcd_row(trace, t_ns, values, state);
+        vcd_row(trace, t_ns, values, telemetry_value(telemetry, "state"));
     }
-    if (trace->json.stream != NULL) {
-        json_row(trace, t_ns, values, state);
+    if (trace->csv.stream != NULL || trace->json.stream != NULL) {
+        keep_row(trace, t_ns, values);
     }
 }
 
@@ -294,14 +386,8 @@ static void memory_end(struct trace_file *file)
 static void begin(struct trace *trace)
 {
     trace->vcd_ns = -1;
-    trace->image_is_said = false;
     trace->vcd_state[0] = '\0';
-    for (int i = 0; i < WORLD_COLUMNS + 2; i++) {
-        trace->series[i].length = 0;
-    }
-    if (trace->csv.stream != NULL) {
-        csv_begin(trace);
-    }
+    trace->row_count = trace->line_count = 0;
     if (trace->vcd.stream != NULL) {
         vcd_begin(trace);
     }
@@ -333,13 +419,10 @@ int trace_open(struct trace *trace, const struct trace_paths *paths,
 void trace_restart(void *user)
 {
     struct trace *trace = user;
-    struct trace_file *const files[] = {&trace->csv, &trace->vcd};
 
-    for (int i = 0; i < 2; i++) {
-        if (files[i]->stream != NULL) {
-            memory_end(files[i]);
-            memory_begin(files[i]);
-        }
+    if (trace->vcd.stream != NULL) {
+        memory_end(&trace->vcd);
+        memory_begin(&trace->vcd);
     }
     begin(trace);
 }
@@ -349,6 +432,9 @@ int trace_commit(struct trace *trace, const struct run *run, const struct run_se
     struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
     int status = EXIT_FINE;
 
+    if (trace->csv.stream != NULL) {
+        csv_write(trace);
+    }
     if (trace->json.stream != NULL) {
         json_write(trace, run, setup);
     }
@@ -377,8 +463,9 @@ void trace_abandon(struct trace *trace)
         memory_end(files[i]);
         outfile_abandon(&files[i]->out);
     }
-    for (int i = 0; i < WORLD_COLUMNS + 2; i++) {
-        free(trace->series[i].text);
-    }
-    memset(trace->series, 0, sizeof trace->series);
+    free(trace->rows);
+    free(trace->lines);
+    trace->rows = NULL;
+    trace->lines = NULL;
+    trace->row_count = trace->row_capacity = trace->line_count = trace->line_capacity = 0;
 }

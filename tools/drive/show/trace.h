@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+enum { TRACE_REPORTED = 8 }; /* state, fault, and the world's `reported` columns */
+
 struct trace {
     const struct world_class *class;
     struct trace_file {
@@ -17,12 +19,19 @@ struct trace {
     } csv, vcd, json, uart;
     int64_t vcd_ns; /* time of the last stamp */
     char vcd_state[TELEMETRY_FIELD_SIZE];
-    struct {
-        char *text; /* "[0,0.01,..." */
-        size_t length, capacity;
-    } series[WORLD_COLUMNS + 2]; /* of JSON: the time, the columns, the state */
-    const char *image;           /* what the image says of itself; NULL: nothing */
-    bool image_is_said;          /* in CSV */
+    /* For CSV and JSON, which are written when the run is over: a line of the controller comes
+     * later than the rows that it tells about. */
+    struct trace_row {
+        int64_t t_ns;
+        double values[WORLD_COLUMNS];
+    } *rows;
+    size_t row_count, row_capacity;
+    struct trace_line {
+        int64_t for_ns; /* from then on its values hold */
+        char values[TRACE_REPORTED][TELEMETRY_FIELD_SIZE];
+    } *lines;
+    size_t line_count, line_capacity;
+    const char *image; /* what the image says of itself; NULL: nothing */
 };
 
 struct trace_paths {
@@ -37,6 +46,7 @@ int trace_open(struct trace *trace, const struct trace_paths *paths,
 /* Its observer's functions; user is the trace. */
 void trace_restart(void *user);
 void trace_pin(void *user, int64_t t_ns, enum board_pin pin, bool level);
+void trace_line(void *user, const struct telemetry *telemetry);
 void trace_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
                const struct telemetry *telemetry);
 

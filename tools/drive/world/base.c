@@ -68,6 +68,11 @@ int64_t base_mark_ns(const struct world *world)
     return head_due_ns(const_base_of(world)->head);
 }
 
+int64_t base_measured_ns(const struct world *world)
+{
+    return const_base_of(world)->head->answered_ns;
+}
+
 size_t base_take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
 {
     struct base *base = base_of(world);

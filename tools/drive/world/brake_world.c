@@ -13,7 +13,8 @@ struct world {
     struct random missed; /* decides which targets give no echo */
     int64_t now_ns;
     int64_t trigger_rise_ns;
-    int64_t mark_ns; /* the next boundary of a fault */
+    int64_t echo_end_ns; /* of the last echo; 0: there was none */
+    int64_t mark_ns;     /* the next boundary of a fault */
     struct {
         int64_t at_ns[2];
         int next;
@@ -205,7 +206,18 @@ static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enu
         return true;
     }
     *pin = PIN_ECHO;
-    return sonar_next_event(&world->sonar, until_ns, t_ns, level);
+    if (!sonar_next_event(&world->sonar, until_ns, t_ns, level)) {
+        return false;
+    }
+    if (!*level) {
+        world->echo_end_ns = *t_ns;
+    }
+    return true;
+}
+
+static int64_t measured_ns(const struct world *world)
+{
+    return world->echo_end_ns;
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */
@@ -263,6 +275,7 @@ const struct world_class brake_world = {
     .horizon_ns = horizon_ns,
     .guess_ns = guess_ns,
     .mark_ns = mark_ns,
+    .measured_ns = measured_ns,
     BASE_RIG_FUNCTIONS,
     .values = values,
     .measure = base_measure,

@@ -81,6 +81,9 @@ struct world_class {
      * number. NULL: this world sends none. */
     size_t (*take_bytes)(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES]);
 
+    /* When the last measurement that the controller can know was made; 0: none was. */
+    int64_t (*measured_ns)(const struct world *world);
+
     /* The controller has reported STATE ("CONTROL", ...) in a line that began at T_NS. */
     void (*state_reported)(struct world *world, int64_t t_ns, const char *state);
 
