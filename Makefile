@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # fuzzy51. `make help` lists the knobs and the targets; the rules stand beside the code, in rules.mk.
 
 # --- knobs: `make NAME=value ...`; help prints these lines ------------------------------------
@@ -80,9 +81,10 @@ $(TARGETS):
 
 flash:     ## writes build/BOARD/APP.hex to a chip: make flash BOARD=NAME PORT=DEVICE
 
-format:    ## lays out all C by .clang-format
+format:    ## lays out all C by .clang-format, and adds missing SPDX lines
 	@tools/deps.sh format
 	$(Q)clang-format-19 -i $$(git ls-files '*.c' '*.h')
+	@tools/spdx.sh
 
 lint:      ## looks for mistakes with shellcheck and cppcheck
 	@tools/deps.sh lint

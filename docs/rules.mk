@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # `make pictures`: the pictures of README.md and these pages.
 PICTURE_BOARD    := $(DEFAULT_BOARD)
 PICTURE_SCENARIO := tests/loop/standing_car_3mps.scn

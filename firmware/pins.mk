@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The pins that all boards share, by their bit address: 0x90 is P1.0, 0xB2 is P3.2. A board with
 # another wiring sets a pin again in its fragment.
 # During reset all pins are high. That means full brake, STOP, throttle cut, lamp and buzzer off, and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Firmware: for each board and each image of each controller, build/BOARD/IMAGE.ihx, .hex, .map, .mem
 # and .bound.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What all shell tests share. A test is started in the repository's root and begins with
 #     . tests/lib.sh
 # It has the empty folder $out, build/tests/NAME, for its files, prints one line a case, as tests/run.sh

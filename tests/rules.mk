@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Tests. Every suite prints PLACE:LINE:NAME:PASS|FAIL lines; tests/run.sh adds them up.
 UNITY       := build/deps/unity/src
 UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Runs test suites, as many at a time as there are cores, and adds up what they print.
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits

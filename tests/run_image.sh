@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Runs an image that tests or measures itself in s51, until the image ends the run, and prints what it prints:
 #     tests/run_image.sh IMAGE.ihx [FILE]        FILE gets the bytes that the image writes
 # The image talks through uCsim's simulator interface at xram 0xffff: 'p' and a byte prints the byte, 'w'

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Runs all scenarios of a folder on one board: the firmware of the app that each names, of $APP, or in the
 # file $IMAGE; prints a test line for each stated outcome, two runs at a time.
 #     tests/run_loop.sh BOARD [DIR]        DIR: tests/loop

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Refuses what SDCC 4.2.0 compiles without a word and what the chip then does wrong:
 #     tools/check_asm.sh FILE.asm...        all of one program, compiled with --i-code-in-asm
 # Interrupts: one must call nothing (it would share the callee's fixed parameters and locals with main),

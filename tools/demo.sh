@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The main job in one command: the real firmware, in the simulator, stops a car behind a standing one.
 # Needs what `make all` builds; writes trace and figure to build/demo.
 set -eu

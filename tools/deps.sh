@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Installs what a make target needs and the machine lacks; says what it does; does nothing when all
 # is there. Packages come from the machine's own Debian sources by name. `make` calls it; by hand:
 #     tools/deps.sh [TARGET]...        the targets stand in packages_for below; build is the default

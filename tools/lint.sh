@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Looks for mistakes in all shell scripts (shellcheck) and in all C (cppcheck); `make lint` calls it.
 # Prints what they find, and exits with 1 if they find something. What a tool is wrong about is
 # suppressed here or at its place, with the reason.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Says in one line what a linked program takes of its chip:
 #     tools/memory.sh BOARD APP [FOLDER]        after the link of APP.ihx in FOLDER, build/BOARD
 # Of the stack it says what is there for it, and the most that any path through the program can take.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Says why a link failed, and what can be done:
 #     tools/no_fit.sh IMAGE BOARD CODE_BYTES [ADVICE]        after the failed link of IMAGE.ihx
 # IMAGE.log has what the linker said, IMAGE.mem the memory that the program takes. ADVICE is what makes the

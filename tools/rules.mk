@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Host tools: each folder of tools/ with a main.c becomes build/NAME. A folder's own rules.mk says
 # what else is to be linked.
 HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror -MMD -MP \

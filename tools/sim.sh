@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # One image in the simulator:
 #     tools/sim.sh BOARD APP [SCENARIO]
 # With a scenario drive runs it, with the live picture if this is a terminal; without one the simulator's

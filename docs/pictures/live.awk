@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Turns what `drive run --live` writes to a terminal into an animated SVG: awk -f live.awk TERMINAL.txt
 # Reads the output of a terminal of 80 columns without UTF-8. Each picture of the road becomes a frame,
 # shown for as long as the simulated time between two pictures; the last one stays for two seconds and

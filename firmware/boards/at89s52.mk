@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # AT89S52: 8 KB of code in all, so the table is packed; a watchdog of 16,384 machine cycles.
 CHIP       := AT89S52
 S51_TYPE   := 51R

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Any 8052 with 32 KB of code, at the crystal that most UART boards carry; no watchdog. It has no
 # flasher: give the command of yours, FLASH='mytool $(HEX)'.
 CHIP       := 8052

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # STC89C516RD+ on a common development board: the default board.
 CHIP       := STC89C516RD+
 S51_TYPE   := C52

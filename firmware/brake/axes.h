@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the axes of the brake's table must be. Else the build stops here, with the reason. */
 #ifndef FUZZY51_AXES_H
 #define FUZZY51_AXES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The brake's decision. */
 #include "brake.h"
 #include "closing.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The brake's decision: readings in, duty and signals out. Portable; time comes as an argument.
  *
  *   RELEASED  no target, or beyond the table: 0 %

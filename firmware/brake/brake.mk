@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The brake. One image a law (law.h): `brake` is the published table, the others are there to compare
 # with. For each image: its table, how fistab makes that table, SDCC's flags, and the modules, the one
 # with main first, as SDCC's manual asks. Each carries a table, so that all start alike.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cells of the brake's table. An axis has a span, in mm or mm/s, and a number of cells; x is the
  * distance from its low end. The cell is floor(x * cells / span). For each axis one of three
  * methods is chosen, the fastest that is exact for every x below the span: by bytes         if a

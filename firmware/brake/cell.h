@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From a distance and a speed to the cell of the brake's table, and from there to the brake force.
  *
  * The table has two inputs: the distance in m and the closing speed in m/s. Beyond the ends of an

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Closing speed. Inside, a speed is a signed number of 2 mm/s, positive when closing. */
 #include "closing.h"
 #include "cc51.h"

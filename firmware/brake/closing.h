@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Readings -> closing speed, and which reading to believe. Portable, integers, no division.
  *
  * Two estimators run side by side: the plain difference of the last two believed readings over the

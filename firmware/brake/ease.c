@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Following and holding. */
 #include "ease.h"
 #include "fixed.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Eases the brake of a target that hardly closes, so that a car can follow one, and holds a car
  * that stands. A car has no speedometer here; all of this comes from the gap.
  *

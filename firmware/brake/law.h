@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The control law: how hard to brake for a target that is there. An image links one of
  *
  *   law_fuzzy    the table, as published

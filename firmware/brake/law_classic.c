@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The classic safe distance: full brake when the gap is below v*t + v^2/(2a) + margin. v is the
  * closing speed: this car has no speedometer, so it knows no other. Once braking it goes on until
  * the gap is LAW_CLASSIC_RELEASE_MM more than safe. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The classic law's constants: time until the brake bites, 80 % of a brake of 8 m/s2, stand-off. */
 #ifndef FUZZY51_LAW_CLASSIC_H
 #define FUZZY51_LAW_CLASSIC_H

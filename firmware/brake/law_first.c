@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Full brake as soon as anything is within reach: no controller with this sensor can brake earlier
  * or harder, so this is the physical limit that others are measured against. */
 #include "law.h"

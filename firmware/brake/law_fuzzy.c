@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The table as published. */
 #include <stdbool.h>
 #include "brake.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* No controller: what happens to a car without one. The image is built with BRAKE_STOP_MM and
  * FAULT_PCT of 0, so neither STOP nor FAULT brakes. */
 #include "law.h"

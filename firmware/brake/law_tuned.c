@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tuned controller: a table with more gain on the closing speed, braking from the first reading
  * where that reading alone proves a speed, and ease.h for those who do not close. */
 #include "law_tuned.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the tuned law does at the first reading of a target. */
 #ifndef FUZZY51_LAW_TUNED_H
 #define FUZZY51_LAW_TUNED_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The brake controller: sensor -> closing speed -> table -> PWM, and the stop beside it. */
 #include "brake.h"
 #include "closing.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Echo ticks -> distance. */
 #include "range.h"
 #include "fixed.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Echo ticks -> distance, and what a measurement is worth. Portable. */
 #ifndef FUZZY51_RANGE_H
 #define FUZZY51_RANGE_H

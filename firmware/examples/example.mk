@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Builds one example: main.c, the table that fistab makes of NAME.fis, and modules of firmware/lib. Its
 # Makefile sets
 #     NAME      the example's name, and its .fis

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The follower's decision: from values to cells of the table, and from cells to commands. */
 #include "follow.h"
 #include "cc51.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Following a robot and asking for the next lane. The table of tables/follow.fis decides whether to
  * slow down, hold or speed up, and whether to change lanes. After Liu and Fang, 2015.
  *

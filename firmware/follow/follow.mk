@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The follower: follows a robot and asks for the next lane.
 IMAGES_OF_follow := follow follow_paper
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The follower: gap, speeds and the next lane from the head -> table -> brake, throttle and the
  * wish for the next lane. */
 #include "frames.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Receives frames, byte by byte. */
 #include "frame.h"
 #include <stdbool.h>

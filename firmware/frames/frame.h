@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Frames that a sensor head sends on the UART: one start byte, a body of fixed length, a check sum.
  *
  *     start   1 kkk cccc   the only byte of a frame with bit 7 set. kkk is the kind of the payload

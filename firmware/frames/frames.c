@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The jobs of the frame-fed controllers' main loop. What is different in each controller is in its
  * own main.c, behind the functions of frames.h. */
 #include "frames.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The frame-fed controllers. frames.c has what they share: the jobs of the main loop, that is
  * self-test, trigger, link, telemetry, lamp and watchdog. A controller's main.c has `main` and the
  * app_ functions below, which frames.c calls. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Up after three good frames in a row, lost after LINK_SILENCE_MS without one. */
 #include "link.h"
 #include "cc51.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Whether the sensor head can be trusted: watches for good frames as its sign of life. A bad frame
  * is no sign of life. The last command stays in force until LINK_SILENCE_MS have passed without a
  * good frame. */

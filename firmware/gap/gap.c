@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The gap controller's decision. It divides by multiplying with reciprocals. */
 #include "gap.h"
 #include "fixed.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Keeping a gap: from the safe distance to the car ahead to an acceleration, half by an optimal
  * (LQ) law and half by the fuzzy table of tables/gap.fis. After Bi and Li. Both cars brake with at
  * most A = 6 m/s2, the brake acts tau = 0.9 s late, and 5 m remain when both stand.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The gap controller: keeps the safe distance to the car ahead.
 IMAGES_OF_gap := gap
 

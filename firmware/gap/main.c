@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The gap controller: gap and speeds from the head -> safe distance, optimal and fuzzy law -> brake
  * and throttle. */
 #include "frames.h"

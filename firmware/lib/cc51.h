@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* SDCC's words for the memories and interrupts of the 8051. SDCC sees them as they are; for every
  * other compiler they are erased, so that the host and the chip read one source. SDCC's own lint.h
  * would erase the plain words data, code, bit and at as well. Some versions of SDCC know these four

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* CRC-16/CCITT-FALSE, the check sum of tables and frames: polynomial x^16 + x^12 + x^5 + 1, start
  * value 0xFFFF, no reflection. The sum of the nine characters "123456789" is 0x29B1. */
 #ifndef FUZZY51_CRC16_H

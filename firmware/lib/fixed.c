@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Products of 16-bit numbers, made of products of bytes. */
 #include "fixed.h"
 

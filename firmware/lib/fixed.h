@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Products made by the 8051's own `mul ab`. A plain `a * b` of wider types calls SDCC's __mulint or
  * __mullong, which take up to 143 mc and are not safe in an interrupt. */
 #ifndef FUZZY51_FIXED_H

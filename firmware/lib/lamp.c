@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What one lamp can tell. */
 #include "lamp.h"
 

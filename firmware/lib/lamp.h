@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What one lamp can tell: off, on, a quick flicker, or a number of blinks to count. */
 #ifndef FUZZY51_LAMP_H
 #define FUZZY51_LAMP_H

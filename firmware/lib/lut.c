@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Look-up in the table, and the table's check sum. */
 #define LUT_DATA
 #include "lut.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Look-up in the controller's table, plain or packed. The table comes from the header lut_table.h,
  * which fistab writes; only lut.c defines LUT_DATA and so contains it. Indices are not checked. The
  * times are as tests/lut measures them, without the call, which takes 9 mc. */

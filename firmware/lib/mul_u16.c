@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The whole product of two 16-bit numbers. Apart from fixed.c because not every image has room. */
 #include "fixed.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The table's check sum in slices. */
 #include "selftest.h"
 #include "lut.h"

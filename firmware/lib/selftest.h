@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The part of the self-test at start that takes long: the table's check sum, slice by slice. */
 #ifndef FUZZY51_SELFTEST_H
 #define FUZZY51_SELFTEST_H

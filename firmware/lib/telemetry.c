@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines of text, one character at a time. */
 #include "telemetry.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines of text, made one character at a time while they are sent. So there is no line buffer, and
  * no call takes long. The owner of the UART asks for the next character when it can send one. */
 #ifndef FUZZY51_TELEMETRY_H

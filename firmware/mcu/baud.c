@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Timer 2: the baud rate of the UART, 9600 8N1. */
 #include "sfr.h"
 

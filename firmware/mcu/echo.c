@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Timer 0 measures the echo in machine cycles. The echo pin (INT0) gates the timer, and the end of
  * the echo sets the flag IE0, without an interrupt. So the count is exact to one cycle whatever the
  * program does meanwhile. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The seam between a controller and the machine that it runs on. For the 8051 it is implemented by
  * start.c, pwm.c, echo.c and uart.c. All calls return at once. Costs are in machine cycles (mc)
  * with call and return, in SDCC's small model. */

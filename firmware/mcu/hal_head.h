@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The part of the seam that only the frame-fed controllers use, beside hal.h. For them head.c takes
  * the place of echo.c and uart.c, and servo.c adds the servo. Only a controller's main.c includes
  * this, through frames.h: there SDCC must see the prototypes of the interrupts. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A sensor head on the UART: a trigger pulse goes out, frames come in by interrupt. A control step
  * takes longer than a byte on the line, so received bytes wait in a ring. The PWM's interrupt has
  * priority over this one. */

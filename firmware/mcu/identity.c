@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The text at its place; see identity.h. */
 #include "identity.h"
 #include "lut_table.h"

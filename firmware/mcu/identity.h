@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Who an image is: one text at a fixed address of its code, such as
  *     fuzzy51 1.0 brake/tuned at89s52 12000000 Hz table=0xBDC8
  * Name, version, controller and image (one word where both have the same name), board, crystal,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Exact phases from a 16-bit timer that has no reload register. PWM and servo share this. */
 #ifndef FUZZY51_PHASE_H
 #define FUZZY51_PHASE_H

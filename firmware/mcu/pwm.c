@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Timer 1: the brake's PWM. Its periods are the ticks of the clock. Two interrupts a period. */
 #include "sfr.h"
 #include "fixed.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Timer 0: the servo's pulses, two interrupts each 20 ms. They have the same priority as the PWM's
  * interrupt, so the two must not come at the same time. The edges of the PWM are at whole percents
  * of its period. A servo pulse starts 1.5 % of the PWM's period after one of its edges: so its

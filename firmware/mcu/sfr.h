@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The 8052's registers and the board's pins. Only the C files of firmware/mcu include this. */
 #ifndef FUZZY51_SFR_H
 #define FUZZY51_SFR_H

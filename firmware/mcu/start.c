@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From reset to main: safe pins, reset cause, tests of RAM and stack. And the simple pins. */
 #include "sfr.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The UART, by polling, without an interrupt. */
 #include "sfr.h"
 

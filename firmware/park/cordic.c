@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* CORDIC in vectoring mode. */
 #include "cordic.h"
 #include <stdbool.h>

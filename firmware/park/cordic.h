@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The polar form of a point, by CORDIC: 13 steps of shifts and sums turn the point onto the axis.
  */
 #ifndef FUZZY51_CORDIC_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The parking controller: place and heading -> two steering laws, blended -> servo, and the stop.
  */
 #include "frames.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The parking decision: two steering laws, their blend, and when to stand. */
 #include "park.h"
 #include "cordic.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Parking backwards: two steering laws, blended by the distance D to the parking place
  * (tables/park.fis).
  *

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The parking controller: parks backwards.
 IMAGES_OF_park := park park_late
 

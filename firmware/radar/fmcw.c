@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From beat frequencies to range and closing speed, by one 16-bit multiplication each. */
 #include "fmcw.h"
 #include "fixed.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Range and closing speed from the two beat frequencies of an FMCW radar with a triangular sweep.
  *
  * With the carrier f0 = 77 GHz, the sweep B = 150 MHz from peak to peak, the triangle's period

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The lane gate: a table of sines and four 16-bit multiplications. */
 #include "lane.h"
 #include "cc51.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Whether a radar target drives in the own lane, also in a bend, without an arc cosine.
  *
  * The own car drives on the centre of its lane, a circle of radius r0. A target at range s and

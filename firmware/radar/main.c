@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The radar controller: beat frequencies -> safe distance, lane, table -> brake and throttle cut.
  */
 #include "frames.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The radar's decision: when to brake, how hard, and when to let go. */
 #include "radar.h"
 #include "fixed.h"

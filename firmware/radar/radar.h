@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The collision avoidance with a millimetre-wave radar: from beat frequencies to a brake command.
  *
  * The driver has control until a target in the own lane is nearer than the safe distance S_F (at

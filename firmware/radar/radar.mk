@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The radar: brakes behind a target of a millimetre-wave radar.
 IMAGES_OF_radar := radar radar_mom
 

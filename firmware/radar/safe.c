@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The safe distance: a part that grows with the speed and one that grows with its square. */
 #include "safe.h"
 #include "fixed.h"

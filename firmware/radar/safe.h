@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The safe distance of the radar system, S_F = v (t_r + t_b) + v^2 / (2 j_af) + L - v^2 / (2 j_al),
  * with the driver's reaction t_r = 1.5 s, the brake's delay t_b = 1.0 s, the own deceleration
  * j_af = 2.5 m/s2, that of the car ahead j_al = 6.5 m/s2, and L = 5 m. For own speeds v of 59, 70,

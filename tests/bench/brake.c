@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Times the brake's control step as it ships, from the end of an echo to the duty set: brake/main.c
  * but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps, clear roads,
  * missing, stuck and stray echoes, the dead zone, longer pauses and the override; what never came

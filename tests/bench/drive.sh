@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # How fast drive is, against s51 running free with the same image, and two runs on two processors
 # against one after the other.
 #     tests/bench/drive.sh [BOARD]         after `make`; BOARD: stc89c516rd

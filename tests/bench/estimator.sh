@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The two estimators of firmware/brake/closing.h in the loop: what noise and missing readings make of the
 # closing speed and of the brake, beside what a floating-point study of this loop came to.
 #     tests/bench/estimator.sh [BOARD]     after `make`; BOARD: stc89c516rd

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # What each controller takes on each board that holds it: machine cycles of its control step, interrupt
 # load, stack, flash, RAM; and of the brake all delays from an echo's end on. Goals are design's; exits
 # with 1 if one is missed.

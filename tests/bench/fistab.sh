@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # How fast fistab makes the brake's table, beside Debian's fuzzylite at the same work; how many bytes
 # the table takes and how many cycles a look-up.
 #     tests/bench/fistab.sh [ROUNDS]       after `make run-bench` has built what it needs

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Each cell of the table, and each threshold between cells. */
 #include "frames.h"
 #include "step.h"

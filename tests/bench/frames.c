@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Times a control step of a frame-fed controller as it ships. Takes the place of frames/frames.c. A
  * step is app_read and app_decide together, with the payloads of tests/bench/APP.c. */
 #include <8052.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Gaps of 0..120 m, own speeds of 0..40 m/s, a lead that stands, drives or brakes. */
 #include "frames.h"
 #include "step.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Frames of the payloads of tests/bench/APP.c, as the sensor head sends them:
  *     line KIND PAYLOAD_BYTES FRAMES       on the host; writes FRAMES of them, taken from all over
  */

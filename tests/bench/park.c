@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Places of -20..20 m and 0.5..30 m, headings all around. */
 #include "frames.h"
 #include "step.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Ranges of 0..105 m, closing speeds of -10..70 km/h, own speeds, straight and in a bend. */
 #include "frames.h"
 #include "step.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Echoes of a drive of chance, as pin events for s51_pins of tests/chip/lib.sh, one answer to each of COUNT
 # triggers, which come every 60 ms:
 #     awk -v first_us=... -v count=... -v falls=FILE -f readings.awk

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Images that time an image's control step, linked without a limit of code size. For the brake
 # tests/bench/brake takes the place of brake/main; for a frame-fed controller tests/bench/frames takes
 # the place of frames/frames, and its payloads are in tests/bench/NAME.c. The object with main is first.

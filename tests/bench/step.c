@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Times the control steps of a controller, with the interrupts off. Prints the least and the most
  * machine cycles, what did not go as meant (nothing should), and "end". */
 #include <8052.h>

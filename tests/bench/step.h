@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a bench of a controller gives to step.c, and one of a controller on frames to frames.c. */
 #ifndef FUZZY51_BENCH_STEP_H
 #define FUZZY51_BENCH_STEP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The brake controller, but it hangs when the override is pressed: for the test of the watchdog. */
 #include "hal.h"
 

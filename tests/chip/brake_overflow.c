@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The brake controller, but its stack reaches the end of RAM when the override is pressed. */
 #include "hal.h"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Inverts the lowest bit of the byte at `address` in an Intel HEX file and mends the record's sum:
 #     awk -v address=4660 -f flip_byte.awk IN.ihx >OUT.ihx
 function number(hex,    i, n) {

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # shellcheck shell=bash
 # Runs an image in s51 with pins driven at exact times; for tests/chip/*.sh and tests/bench/*.sh:
 #

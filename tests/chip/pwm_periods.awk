@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Judges a PWM by its pin's edges, period by period:
 #     awk -v clk_hz=12000000 -f pwm_periods.awk ASKED EDGES
 # ASKED and EDGES are what s51_edges says of the byte that hal_brake_set was told last (written right

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Images for the tests of the chip: one file of theirs in place of brake/main.
 ifneq ($(BOARD),)
 $(eval $(call compile_rules,brake,))

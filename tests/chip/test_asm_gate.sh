@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The build gate for what SDCC compiles wrongly or unsafely: refuses each bad fixture with its message,
 # is silent about the firmware, and stands in the link.
 . tests/lib.sh

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # A program that outgrows its chip does not link, and says so; an unknown board names the known ones.
 . tests/lib.sh
 dir=build/outgrown

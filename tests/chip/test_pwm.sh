@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The PWM by its pin's edges, on each board, while UART and echo are busy: exact shares, whole periods,
 # nothing in between at a change, and the new duty from the next period on. The image is the brake's,
 # but for the duty (tests/chip/brake_duties.c).

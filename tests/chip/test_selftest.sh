@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # What the self-test finds ends in FAULT, with its code in the telemetry and on the lamp, and lasts;
 # STOP works all the same.
 . tests/lib.sh

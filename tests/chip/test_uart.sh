@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The controller's words: title, header, one whole line a control step, an answer to each command, and
 # no command obeyed that is none.
 . tests/lib.sh

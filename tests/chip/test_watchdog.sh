@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # A hung controller is reset by the AT89S52's watchdog in time and comes up braking, in FAULT, until
 # three good readings. The image is the brake's own, but for a loop for ever when the override is
 # pressed.

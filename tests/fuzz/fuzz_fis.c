@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Fuzzes the reader, the checks, the inference and the writers of fistab: `make fuzz`.
  * Whatever the bytes, no crash, hang or leak; whatever the system, finite outputs, a Mamdani's in
  * its range. Input that begins with byte 1, which no text does, is no file but the choices of a

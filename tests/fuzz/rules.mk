@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fuzzing of fistab: reader, checks, inference and writers, from tests/fuzz/corpus and all our systems.
 FUZZ_SRC := tests/fuzz/fuzz_fis.c $(filter-out %/main.c,$(fistab_SRC))
 build/fuzz/fuzz_fis: $(FUZZ_SRC) $(wildcard tools/*/*.h)

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Writes tests/golden/debian_examples.txt: what fistab makes of every .fis file that Debian's packages fuzzylite and
 # octave-fuzzy-logic-toolkit ship, against these programs themselves. `tools/deps.sh golden` installs them.
 set -eu

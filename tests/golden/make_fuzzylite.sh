@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Makes tests/golden/*_fuzzylite.csv anew; takes a minute. `tools/deps.sh golden` installs what it needs.
 # fuzzylite takes a centroid as a sum over the midpoints of RESOLUTION stripes, so its answers are compared
 # with --exact: the finer, the nearer. The rule of Sugeno systems is MATLAB's own.

@@ -1,3 +1,4 @@
+% SPDX-License-Identifier: MIT
 % Makes the golden data that come from Octave's fuzzy-logic-toolkit; called by make_octave.sh, which says the
 % folders: GOLDEN, where the systems are and the data go, and BUILD for files in between.
 % The toolkit's own centroid is trapz(x.*mu)/trapz(mu) and its bisector gives an index, so of a Mamdani system

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Makes tests/golden/*_octave.csv anew; takes a few minutes. `tools/deps.sh golden` installs what it needs.
 set -eu
 cd "$(dirname "$0")/../.."

@@ -1,3 +1,4 @@
+% SPDX-License-Identifier: MIT
 % Makes gap_octave.csv and follow_octave.csv: called with the folder that they go to in GOLDEN, from the
 % top folder:  GOLDEN=tests/golden octave-cli --no-gui --quiet tests/golden/make_octave_gap.m
 % The toolkit's centroid is trapz(x.*mu)/trapz(mu); we take its aggregated set, and MATLAB's sum(x.*mu)/sum(mu).

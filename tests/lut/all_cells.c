@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Looks up every cell on the chip, with the look-up and the memory model that ship, and times it.
  * In s51 (tests/tools/test_lut_on_chip.sh) the cells go to the simulator interface's file as raw
  * bytes, row after row; the last line printed says what was measured. */

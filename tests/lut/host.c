@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Looks up every cell with the same lut.c on the host, sanitized, and writes the cells as bytes. */
 #include <stdio.h>
 

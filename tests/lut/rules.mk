@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The look-up on the chip: an image a table, compiled as it ships.
 LUT_plain           := tables/brake.fis
 LUT_plain-repaired  := tables/brake.fis --repair=-1,+2

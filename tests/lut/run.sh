@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Runs one image of tests/lut/all_cells.c in s51 and prints its last line, which holds its measurements:
 #     tests/lut/run.sh DIR     DIR: build/lut/NAME, as make builds it
 # The cells that the image looked up are left in DIR/cells.bin.

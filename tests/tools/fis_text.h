@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For tests: a small system from words, and its outputs. */
 #ifndef FUZZY51_FIS_TEXT_H
 #define FUZZY51_FIS_TEXT_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Takes README.md and docs/*.md apart, for test_docs.sh. Prints a line for each item:
 #     PAGE:LINE <tab> KIND <tab> TEXT
 # KIND is `code` (between backticks), `command` (after "$ " in a console block), `output` (another line of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Tests of the host tools: each test_X.c is a Unity program against the tools' own objects, sanitized.
 TOOL_TESTS := $(patsubst %.c,build/%,$(wildcard tests/tools/test_*.c))
 

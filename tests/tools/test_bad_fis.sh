@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Every tests/bad/*.fis says what it is there for: `% expect: LINE: error: text` in its first line. check must
 # say that, exit 1 and print nothing else on stdout; table, for errors, must too and write no file.
 . tests/lib.sh

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Each broken scenario of tests/bad gives the message of its first line, with its place, exit status 1,
 # and leaves nothing behind. The good ones of tests/loop give none.
 . tests/lib.sh

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/best_driver.c, against hand calculation: the formulas of its
  * header, and a plain sum in small steps. */
 #include "best_driver.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/bound, on small programs written as bytes, whose stack and cycles are counted
  * by hand from the data sheet, and its instruction table against every listing that SDCC has
  * written here. */

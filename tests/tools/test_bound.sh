@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # build/bound as the build calls it: every image of the default board has its bounds, and what cannot be
 # bounded or does not fit ends with status 1 and a reason.
 . tests/lib.sh

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/car.c, the plant, against hand calculation and a plain fine Euler
  * sum. */
 #include "car.h"

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The same seed gives the same bytes; neither the sync quantum nor the plant's step changes an outcome:
 # traces are equal to the byte for every quantum, and outcomes within the tolerances below for half the
 # step. All with the real firmware.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/common/diag.c, the promise that a file appears whole or not at all. */
 #include "common/diag.h"
 

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # What README.md and docs/*.md say is so: links and paths exist, options and knobs are known, commands
 # print what the pages show, figures are those of the sources. tests/tools/pages.awk explains the parts.
 . tests/lib.sh

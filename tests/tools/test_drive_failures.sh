@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Whatever goes wrong with the simulator, the image, the options or the outputs, drive says so in one
 # line, ends with the right status in bounded time, and leaves no process and no file behind.
 . tests/lib.sh

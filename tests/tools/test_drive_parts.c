@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: what drive reads off the controller and judges by: pwm.c, telemetry.c, expect.c,
  * hexfile.c, board.c, and the grid of s51.c. */
 #include "board.h"

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # fistab table --repair and --encoding=packed from the command line: what is written and what is said.
 . tests/lib.sh
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: exact.c, shape.c and quad.c: --exact against integrals worked out by hand. */
 #include "fis_text.h"
 

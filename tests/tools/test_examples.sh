@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # firmware/examples: each builds by `make` in its own folder, and its image, run in s51, answers the values
 # at its ports with what fistab says.
 . tests/lib.sh

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Command lines of fistab eval, check and table: what they print, their exit status, and limits kept quickly.
 . tests/lib.sh
 fistab=build/fistab
@@ -9,7 +10,7 @@ expect eval_reads_stdin 0 $'86.28104575\n83.71717172\n30' "" bash -c "printf '3 
 expect eval_separates_outputs_by_a_blank 0 '-1.286148249 0.2377658731' "" $fistab eval tests/golden/asym.fis -2 10
 expect eval_takes_negative_numbers 0 '-1.286148249 0.2377658731' "" $fistab eval --samples=101 tests/golden/asym.fis -2 10
 expect eval_exactly 0 85.93583622 "" $fistab eval --exact tables/brake.fis 1.02 0.175
-expect eval_shows_the_rules_that_fire 0 $'86.28104575\n% 1 tables/brake.fis:55: if distance_m is fairly_near and closing_mps is small then brake_pct is very_large' "" $fistab eval --rules tables/brake.fis 3 10
+expect eval_shows_the_rules_that_fire 0 $'86.28104575\n% 1 tables/brake.fis:56: if distance_m is fairly_near and closing_mps is small then brake_pct is very_large' "" $fistab eval --rules tables/brake.fis 3 10
 expect eval_shows_or_and_not 0 "% 0.0198 tests/golden/asym.fis:53: if first is not middle and second is not slow then left is down, right is not on" "" bash -c "$fistab eval --rules tests/golden/asym.fis -1 30 | tail -1"
 expect eval_warns_outside_the_range 0 83.71717172 "distance_m = 0.5 is outside its range of 1 to 5" $fistab eval tables/brake.fis 0.5 10
 expect eval_warns_where_no_rule_fires 0 50 "no rule fires for 'brake_pct'; the answer is the middle of its range" $fistab eval tables/brake.fis 9 10

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # `make flash`, as far as it goes without a chip: the command line it would run, and what it says
 # when something is missing.
 . tests/lib.sh

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The follower's 1,080 starts, with the firmware's decision on the host: how many end in contact with
 # the rules as published, with the safe ones, and with the safe ones that also brake when a lane change is
 # refused; and that the last could not be helped.

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # 52 starts of the follower's grid, 26 for each rule set, six seconds of each: the real image in the
 # simulator must come to the same as the same decision compiled for the host: contact and when, the
 # least gap and the last one, to the millimetre.

@@ -1,9 +1,11 @@
 #!/bin/bash
-# Each C file is as `make format` leaves it.
+# SPDX-License-Identifier: MIT
+# Each C file is as `make format` leaves it, and each source file has its SPDX line.
 . tests/lib.sh
 
 while read -r file; do
     clang-format-19 --dry-run --Werror "$file" 2>/dev/null
     say "$file" $? "clang-format changes it; run: make format"
 done < <(git ls-files '*.c' '*.h')
+check "each source file names its licence" tools/spdx.sh --check
 finish

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Frames that are bad at random, not by schedule: such a scenario says what holds whatever comes, so
 # five more seeds beside its own must give the same outcome.
 set -u

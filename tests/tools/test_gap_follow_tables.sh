@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The systems of gap and follow, as fistab evaluates them, against Octave's answers in tests/golden.
 . tests/lib.sh
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: inference, against data of programs that are not ours (tests/golden, which says how
  * it was made). */
 #include "fistab/infer.h"

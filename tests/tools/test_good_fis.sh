@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Every tests/good/*.fis passes `fistab check` (with the options of `% args:`) without a word; one that says
 # `% equals: FILE` has the same outputs as FILE. So have the tables that we ship.
 . tests/lib.sh

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/head.c against the receiver of firmware/frames: the two were
  * written apart.
  */

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # An image says who it is, at a fixed place of the hex file; drive prints it, writes it into JSON and CSV,
 # takes the crystal from it, and refuses the image where it does not belong.
 . tests/lib.sh

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/fistab/infer.c and defuzz.c, sampled inference against cases worked out by
  * hand. */
 #include "fis_text.h"

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # A knob of make that names what is not there, or a table that is no brake's, is answered by what there
 # is and what a brake's table must be, before any other message.
 . tests/lib.sh

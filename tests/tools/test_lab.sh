@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The laboratory against the simulator: the same scenarios under each law, on the host and in s51.
 # Both come to the same outcome within what an echo's end just before or after a tick can make.
 . tests/lib.sh

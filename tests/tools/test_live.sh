@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # --live: a picture in a terminal, whose cursor comes back also after an interrupt; plain lines
 # elsewhere; and the same numbers as without it. A car that parks has a yard in place of a road.
 . tests/lib.sh

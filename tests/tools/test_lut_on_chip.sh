@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Every cell of every table of build/lut, looked up on the chip by the code that ships, and on the
 # host by the same code, against fistab's CSV; the cycles of each look-up; the check sum.
 . tests/lib.sh

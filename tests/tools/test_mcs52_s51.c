@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: the instructions of tools/drive/sim/mcs52, against s51 of uCsim, which is not ours.
  *
  * Programs are made while our chip runs them: at each address that it comes to, an instruction is

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/fistab/mf.c, every membership function against values worked out by hand. */
 #include "fistab/mf.h"
 

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Tables of a user's own: whatever the axes, the brake builds with them, drives, and brakes by the cell that
 # fistab has for the row and the column that it reports; or make says what is wrong and which knob helps.
 . tests/lib.sh

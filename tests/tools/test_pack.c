@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/fistab/pack.c. Whatever packs comes back cell by cell; what does not says why.
  */
 #include "fistab/pack.h"

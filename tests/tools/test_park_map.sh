@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The parking map: how many of the 3,780 starts succeed, the firmware's integers against floating point,
 # and a sample of starts in s51, whose verdicts must be the same.
 . tests/lib.sh

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # fistab plot: what is on the picture, and what is said when there can be none.
 . tests/lib.sh
 

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The tables of radar and park: what fistab makes of them, against reference data.
 . tests/lib.sh
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/fistab/repair.c and law.c. Optimality is shown, not believed: small tables
  * against every monotone table there is, the brake's table by a certificate that a second, simple
  * flow makes. */

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The report: its scenarios, its runs (complete, failed, interrupted, changed), and its page, which
 # headless Chromium loads and goes through by itself.
 . tests/lib.sh

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The robots' plant against the closed form, its limits, and a change of lanes. */
 #include "robots.h"
 #include "unity.h"

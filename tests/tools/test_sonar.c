@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/sonar.c, the sensor and its faults; figures from the HC-SR04 data
  * sheet.
  */

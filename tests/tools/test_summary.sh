@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # What drive says about a run before it judges it: a sentence that fits the controller, and figures
 # that this controller's world measures.
 . tests/lib.sh

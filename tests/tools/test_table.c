@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: table.c and header.c: which cell is where, what it holds, and how the chip finds it.
  */
 #include "fistab/table.h"

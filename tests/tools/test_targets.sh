@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # make's targets for single uses: the unit tests alone, one drive, the simulator's console; and that
 # NO_INSTALL=1 names what is missing and installs nothing.
 . tests/lib.sh

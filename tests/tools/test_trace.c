@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/show/trace.c, the files that a run leaves. */
 #include "trace.h"
 

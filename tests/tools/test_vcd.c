@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/vcd.c, the reader of s51's value change dump. The sample is what uCsim
  * 0.6.4 writes. */
 #include "vcd.h"

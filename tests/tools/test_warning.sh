@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Warned in time, with the real images in s51: 0.8 s before hard braking (5 m/s2 and more, as UN R152
 # calls it), where the sensor sees that far.
 #

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every distance and every speed against the quotient that its cell is, for the table of this test.
  */
 #ifndef FUZZY51_CELLS_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Unit tests of the firmware's logic: each test_X.c is built twice, for the host, sanitized, and for the
 # chip. On the chip Unity needs the large model with --stack-auto, so that is the model tested there.
 UNIT_TESTS := $(patsubst tests/%.c,build/%,$(wildcard tests/unit/test_*.c))

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A whole control step of the brake, for the tests of the brake under each law. */
 #ifndef FUZZY51_STEP_H
 #define FUZZY51_STEP_H

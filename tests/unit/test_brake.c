@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* brake: the states, the latch, every kind of sensor trouble. Readings and ticks are arguments. */
 #include <stddef.h>
 #include "unity.h"

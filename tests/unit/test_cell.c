@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cell: every distance and speed of the brake's table, and every axis whose cells two bytes can
  * tell, against the quotient. */
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* closing: both estimators, the gate, dropouts. Readings and times are arguments; no clock. */
 #include <stddef.h>
 #include "unity.h"

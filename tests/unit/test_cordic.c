@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Polar form: spot values on the chip, and on the host the whole domain against libm. */
 #include "cordic.h"
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ease: the weight at every speed and distance, the hold and its end. */
 #include <stddef.h>
 #include "unity.h"

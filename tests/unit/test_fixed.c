@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fixed: the byte product on its whole domain, the 16-bit one at its corners and at many points. */
 #include <stddef.h>
 #include "unity.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Beat frequencies to range and closing speed. */
 #include "fmcw.h"
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The follower: the printed values of its specification, its table against the rules worked out in
  * full, and what it does with frames. Built for both rule sets. */
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Frames: what comes in good comes out as it was sent, and nothing else comes out. */
 #include "frame.h"
 #include "crc16.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The gap controller: the printed values of its specification, its table between the nodes, and its
  * integers against the laws in floating point. */
 #include <stddef.h>

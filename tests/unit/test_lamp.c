@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lamp: what each pattern looks like, tick by tick. */
 #include <stddef.h>
 #include "unity.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The lane gate against the angles of the published geometry: inner edge radius 500 m, lane width
  * 3.75 m, so the lane centre's radius is 501.875 m. */
 #include "lane.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* law_classic: the safe distance at every speed, and when it brakes and stops braking. */
 #include <stddef.h>
 #include "unity.h"

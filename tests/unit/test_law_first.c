@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* law_first in the brake: full at the first reading within 5 m, whatever the speed; STOP as ever.
  */
 #include <stddef.h>

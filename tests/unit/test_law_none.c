@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* law_none as its image is built: nothing ever brakes, not STOP, not FAULT. */
 #define BRAKE_STOP_MM 0U
 #define FAULT_PCT     0

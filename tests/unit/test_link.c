@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sign-of-life watch: three good frames to trust, a silence to stop trusting. */
 #include "link.h"
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lut: known cells and the check sum. Every cell of every encoding is looked up by
  * tests/tools/test_lut_on_chip.sh. */
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The parking controller: the laws against the published example, and when the car stands. */
 #include "lut.c"
 #include "park.c"

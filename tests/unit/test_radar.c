@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The radar controller's decisions, with the table that ships. */
 #include "lut.c"
 #include "radar.c"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* range: every tick count, both clocks, against the exact quotient. */
 #include <stddef.h>
 #include "unity.h"

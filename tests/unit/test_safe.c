@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The safe distance against the published judgement's test set. */
 #include "safe.h"
 #include <stddef.h>

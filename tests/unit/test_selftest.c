@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* selftest: the slices cover the table once, whole, and one wrong bit fails. */
 #include <stddef.h>
 #include "unity.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* telemetry: every format, every number, one character a call. */
 #include <stddef.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tuned law in the brake, with its own table: first sight, look-up, ease. */
 #define ESTIMATOR_smooth
 #include <stddef.h>

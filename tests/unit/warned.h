@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The warning of an approach at constant speed, for the tests of the brake under each law. */
 #ifndef FUZZY51_WARNED_H
 #define FUZZY51_WARNED_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every path through an image: how deep its stack can get, how long its functions can take. Nothing
  * is run: what is found holds for whatever the inputs are. A path that the data rule out counts all
  * the same, so figures are upper bounds. */

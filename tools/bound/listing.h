@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the linker's listings (.rst) and its map say of addresses: names of functions, the source
  * line that an instruction comes from, and how often a loop goes round. */
 #ifndef FUZZY51_LISTING_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bound: what an image can take at most, of stack and of time, whatever its inputs. */
 #include "diag.h"
 #include "flow.h"

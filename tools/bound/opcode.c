@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "opcode.h"
 
 /* Of the opcodes 0x00..0xFF, a row of 16 each; from the data sheet. */

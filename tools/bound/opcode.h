@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The 8051's instructions as far as a path through a program needs them. */
 #ifndef FUZZY51_OPCODE_H
 #define FUZZY51_OPCODE_H

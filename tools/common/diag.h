@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How every host tool complains and writes: one line on stderr that says what is wrong and what to
  * do, one exit status a kind of failure, and no half-written file. */
 #ifndef FUZZY51_DIAG_H

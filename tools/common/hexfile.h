@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Looks at an Intel HEX image before the simulator gets it: s51 itself runs an empty chip when the
  * image is missing or broken, and says so nowhere. */
 #ifndef FUZZY51_HEXFILE_H

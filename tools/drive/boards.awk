@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A board's fragment, after firmware/pins.mk, as one line of build/boards.h.
 #     awk -v pins="PWM STOP ..." -f boards.awk firmware/pins.mk firmware/boards/NAME.mk
 $2 == ":=" { value[$1] = $3 }

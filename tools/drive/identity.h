@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What an image says of itself, at the fixed place of its code that firmware/mcu/identity.h
  * describes. */
 #ifndef FUZZY51_DRIVE_IDENTITY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* drive: runs a controller's real image in the simulator, in a closed loop with a modelled car. */
 #include "board.h"
 #include "canary.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # drive: its rooms see each other's headers.
 drive_SRC  := $(filter-out tools/drive/sim/canary_image.c,$(drive_SRC))
 drive_LIBS := -linih -lcjson -lm

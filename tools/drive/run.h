@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One scenario, from the controller's reset to the judged outcome: the simulator and the world in
  * lockstep. */
 #ifndef FUZZY51_RUN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The named checks. */
 #include "check.h"
 

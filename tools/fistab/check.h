@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Named checks on a system and on its table. Each finding is one line on stderr:
  *     brake.fis:31: error: (rule_gap) no rule for 'brake_pct' fires where distance_m is ...
  *

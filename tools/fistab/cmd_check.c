@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fistab check: what is wrong with a system, before it becomes a table. */
 #include <stdio.h>
 #include <stdlib.h>

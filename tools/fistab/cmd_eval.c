@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fistab eval: outputs of a system at points. */
 #include <ctype.h>
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fistab plot: a system as a picture, drawn by gnuplot. */
 #include <errno.h>
 #include <signal.h>

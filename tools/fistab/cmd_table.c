@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fistab table: a system as a table of integers. */
 #include <ctype.h>
 #include <stdio.h>

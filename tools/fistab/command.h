@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The commands of fistab, one file each, and the options that they share. */
 #ifndef FUZZY51_COMMAND_H
 #define FUZZY51_COMMAND_H

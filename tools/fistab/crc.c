@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Check sums, bit by bit: the files are small. */
 #include "crc.h"
 

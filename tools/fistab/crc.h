@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The two check sums of a table header. */
 #ifndef FUZZY51_CRC_H
 #define FUZZY51_CRC_H

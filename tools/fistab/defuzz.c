@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Defuzzification of a sampled set. */
 #include "defuzz.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One number from a sampled set. */
 #ifndef FUZZY51_DEFUZZ_H
 #define FUZZY51_DEFUZZ_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plain and packed arrays for the header. */
 #include "encode.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Turns a table's integers into the arrays of its header, plain or packed. */
 #ifndef FUZZY51_ENCODE_H
 #define FUZZY51_ENCODE_H

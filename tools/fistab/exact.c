@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Defuzzification without samples. */
 #include "exact.h"
 

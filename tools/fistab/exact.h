@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Defuzzification of the continuous output set, not of samples of it.
  *
  * The range is cut where any set bends or meets its rule's strength; between cuts straight sets are

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* struct fis: what is the same for every file format. */
 #include "fis.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A fuzzy inference system, as a file in one of three formats describes it:
  *   .fis  of MATLAB's Fuzzy Logic Toolbox, and what Octave and fuzzylite write in its manner
  *   .fll  fuzzylite's own language

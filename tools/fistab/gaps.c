@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Search for gaps between rules. */
 #include "gaps.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Searches a system for points where no rule sets an output: by zones, so nothing slips through a
  * grid. */
 #ifndef FUZZY51_GAPS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The table as a C header and as CSV. */
 #include "header.h"
 

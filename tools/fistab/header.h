@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Writes a table: as a C header for the firmware, as CSV for people. */
 #ifndef FUZZY51_HEADER_H
 #define FUZZY51_HEADER_H

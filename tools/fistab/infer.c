@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Mamdani and Sugeno inference. */
 #include "infer.h"
 

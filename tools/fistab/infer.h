@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Evaluates a fuzzy system at a point: a .fis as MATLAB's evalfis does, FLL and FCL as fuzzylite
  * does.
  *

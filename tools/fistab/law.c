@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads laws of monotony. */
 #include "law.h"
 

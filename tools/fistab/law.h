@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A law of monotony, as --monotone and --repair name it: "-1,+2" falls with input 1 and rises with
  * input 2; an input that it does not name is free. */
 #ifndef FUZZY51_FISTAB_LAW_H

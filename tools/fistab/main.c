@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fistab: fuzzy inference systems to tables for small chips. */
 #include <stdio.h>
 #include <string.h>

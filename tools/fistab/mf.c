@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Membership functions, each as MATLAB's toolbox or fuzzylite documents it. */
 #include "mf.h"
 

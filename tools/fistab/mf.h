@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Membership functions: MATLAB's by name and formula, three of fuzzylite's, and one of our own,
  * pwlmf. */
 #ifndef FUZZY51_MF_H

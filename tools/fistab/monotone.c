@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The check `monotone`: a table's integers against a law. */
 #include <stdio.h>
 #include <stdlib.h>

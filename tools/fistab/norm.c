@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The names of the norms. */
 #include "norm.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Norms: how two degrees of membership become one. A t-norm joins conditions by `and`, and cuts an
  * output set to the strength of its rule (implication). An s-norm joins conditions by `or`, and
  * joins the sets that several rules give to one output (aggregation).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Packs a table; pack.h says how it looks. */
 #include "pack.h"
 

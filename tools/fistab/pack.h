@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A two-input table in few bytes, each cell found in constant time: `fistab table
  * --encoding=packed`.
  *

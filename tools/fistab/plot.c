@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sheets for gnuplot: a surface or a curve for each output, then a panel of sets for each variable.
  */
 #include "plot.h"

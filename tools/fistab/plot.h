@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Writes a gnuplot script that draws a system: its surface and its sets on one sheet. */
 #ifndef FUZZY51_PLOT_H
 #define FUZZY51_PLOT_H

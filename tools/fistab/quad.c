@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Gauss-Kronrod 7/15 with bisection. */
 #include "quad.h"
 

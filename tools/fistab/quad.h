@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Adaptive integration of a function and of its first moment. */
 #ifndef FUZZY51_QUAD_H
 #define FUZZY51_QUAD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading a fuzzy system: which format it is in, and what the readers share. */
 #include "read.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Between the readers of the file formats. Each reader turns text into struct fis; fis_parse()
  * opens the text, picks the reader and validates what it read. */
 #ifndef FUZZY51_READ_H

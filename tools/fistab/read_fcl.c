@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads an FCL file, the Fuzzy Control Language of IEC 61131-7, with the functions and methods that
  * fuzzylite adds. The ends of lines mean nothing, a missing ; is no error, and capitals do not
  * matter in keywords. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads a .fis file: sections and keys into struct fis. What the sections mean together is checked
  * at the end, so their order does not matter. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads an FLL file, fuzzylite's own language: lines "key: value", in blocks that begin with
  * InputVariable, OutputVariable or RuleBlock. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The rules of FLL and FCL files, which are sentences: if ... then ... */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Nearest monotone table, by cuts.
  *
  * Raising a cell from level k to k+1 changes its squared distance to the surface value x by

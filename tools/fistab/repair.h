@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The nearest table of integers that obeys a law of monotony: of all tables that rise or fall along
  * the named inputs, the one with the least sum of squared distances to the unrounded surface. */
 #ifndef FUZZY51_REPAIR_H

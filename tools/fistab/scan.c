@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tokens of the files that describe fuzzy systems. */
 #include "scan.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Text of a file that describes a fuzzy system, token by token. A .fis and an .fll are read line by
  * line: scan_line() goes to the next one. An .fcl is read as a whole: after scan_free_form() the
  * ends of lines are blanks. Scanners that fail print the message. */

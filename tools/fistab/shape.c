@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Kinks and peaks of membership functions. */
 #include "shape.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is known of the curve of a membership function besides its values: where it bends. */
 #ifndef FUZZY51_SHAPE_H
 #define FUZZY51_SHAPE_H

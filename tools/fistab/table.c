@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sampling a system on a grid. */
 #include "table.h"
 

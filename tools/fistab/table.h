@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The surface of a system on a grid, and the integers that the chip will hold.
  *
  * Cells are in row-major order: the first input is the row, the last one moves fastest. Values are

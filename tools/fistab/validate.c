@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Checks that what a file describes makes a system. */
 #include <math.h>
 #include <stdlib.h>

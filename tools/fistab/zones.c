@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Zones of an input. */
 #include "zones.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The range of an input, cut where one of its sets becomes 0 or stops being 1: within a zone, each
  * set is either 0, or 1, or between, all the way. So what holds at one point of each zone holds
  * everywhere. */

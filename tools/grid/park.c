@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The parking controller's verdicts over the study's 3,780 starts: X -20..20 m and Y 2..30 m by 2
  * m, heading -90..240 degrees by 30. One line a start: how the firmware's integer model ends, in
  * Euler steps of 20 ms at 5 m/s, and whether a floating-point model of the same laws succeeds, too.

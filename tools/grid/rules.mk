@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Grids: a controller's own decision, compiled for the host, from many starts. A controller's NAME.mk
 # says which grids it has and what each is built from; tools/grid/NAME.c is the main.
 define grid_rules

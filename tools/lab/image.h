@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A controller as a program of the host: the brake with the settings of one image, in a shared
  * object, so that several can be in one process. */
 #ifndef FUZZY51_IMAGE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the laboratory asks of a controller: situations, each in many runs with other noise and
  * another phase of the sensor. */
 #ifndef FUZZY51_LAB_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The closed loop without the simulator: a controller on the host in drive's own world. The
  * schedule of firmware/brake/main.c and the latencies of the chip are modelled, the controller and
  * the world are the real ones; tests/tools/test_lab.sh holds it against s51. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The table of a controller that runs on the host: as lut.c, but its cells may be written over. */
 #define LUT_DATA
 #include <stdint.h>

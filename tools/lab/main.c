@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lab: the closed loop without the simulator, thousands of runs a second, to look for better
  * tables. */
 #include "diag.h"

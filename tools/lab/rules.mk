@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The laboratory: drive's world around control logic that runs on the host. Each law of the brake is a
 # shared object, build/lab-images/NAME.so.
 lab_SRC  := $(filter-out tools/lab/lut.c,$(lab_SRC)) \

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Looks for a better table: a walk that keeps each step that makes things better. */
 #include "lab.h"
 

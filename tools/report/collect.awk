@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # From run results to what the page shows, for one tab. Variables: tab (its description), id, runs
 # (folder of results), work (folder to write to), built (images that exist). Input: the tasks, lines
 # of tab, image, scenario, key, hex, scenario file. Writes the tab's data as JSON to stdout, and to

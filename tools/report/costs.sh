@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # What the controllers take of each board, as members of the page's data: "sheets" are tables (code and
 # RAM as the linker counts them), "texts" what make bench has left in build/bench.
 set -eu

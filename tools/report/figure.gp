@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What all figures of the report have in common. The colours are names: figure.sh turns them into the
 # page's variables, so a figure follows the light or dark setting.
 ink = '#000010'; soft = '#000011'; gridline = '#000012'

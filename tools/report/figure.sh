@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Draws one figure for the page: figure.sh OUT.svg SCRIPT.gp NAME=VALUE...
 # gnuplot's SVG loses what a page does not need, and the colours that figure.gp names become the
 # page's own. Nothing is left behind when gnuplot fails.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What is left of the speed at which a standing car is met: gnuplot -e "out='...'; values='...';
 # image='brake first'; names='fuzzy "at once"'; colours='1 4'" limit.gp
 load 'tools/report/figure.gp'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The cells of an avoidance map for map.gp, from a .values file: awk -v image=NAME -f map.awk FILE.
 # Scenarios are named map_vSPEED_bDECEL. Four blocks: cells (column, row, class of impact speed, text),
 # the line below which no impact is owed, the columns' and the rows' labels.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The avoidance map of one controller: gnuplot -e "out='...'; values='...'; image='brake'" map.gp
 load 'tools/report/figure.gp'
 cells = sprintf("< awk -v image='%s' -f tools/report/map.awk '%s'", image, values)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The report: tabs, key figures, tables and figures, all built from the data in the page. A tab of
  * data.tabs describes itself: its controllers, groups of scenarios, measures, figures and the scene
  * that the player draws. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The player: replays recorded runs of one tab. The state is the scenario, the controller and the
  * moment; every frame is drawn from them anew. */
 "use strict";

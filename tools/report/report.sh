@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The closed-loop report: each controller on each scenario, on all cores, as one page.
 #     tools/report/report.sh BOARD            writes build/report/index.html
 # A result stands under a name made of the hashes of drive, image and scenario: what has run is not

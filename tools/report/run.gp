@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # One run of the brake as a figure: gnuplot -e "csv='run.csv'; title='...'; out='run.svg'" run.gp
 # Three panels over one time axis: where the cars are, how fast they go, what the brake does.
 set datafile separator comma

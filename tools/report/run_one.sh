@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # One run of the report, on this machine or another: run_one.sh KEY HEX BOARD SCENARIO SECONDS FOLDER
 # FOLDER/KEY appears when the run has ended, whatever came of it, and holds what drive wrote
 # (result.json), what it said (log) and its exit status (exit). Says one line, and always succeeds:

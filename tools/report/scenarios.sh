@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Writes the report's scenarios: the grids of public test protocols, scaled to a model car, each with
 # the outcome that physics allows.
 #     tools/report/scenarios.sh [--map=coarse|normal|fine] FOLDER

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* What the player draws: one function a scene, from the state at one moment to SVG text. Nothing is
  * kept between two frames, so the slider may jump as it likes.
  *

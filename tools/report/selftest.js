@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* index.html#selftest goes through everything that a reader can touch and writes what it found into
  * the root element's data-selftest: "passed: N checks, ..." or "failed: ...", with a list of faults at the
  * end of the page; a page around it gets the same as a message. Errors of any origin count, so the

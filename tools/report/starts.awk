@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The cells of a map of starts for starts.gp, from a CSV with a head: awk -F, -v x=gap_mm -v y=own_mmps
 # -v value=collided -v share=0 -f starts.awk FILE. Starts that differ in nothing but other columns share
 # a cell: their values are added up, or, with share=1, averaged. Three blocks: cells (column, row,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A map of starts: the scripts that load this set data, x, y, value, share, unit (what a label is divided
 # by), every_x and every_y (which labels are shown) and the axes' labels.
 load 'tools/report/figure.gp'

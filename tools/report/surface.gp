@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The table as a surface: gnuplot -e "out='...'; data='table.csv'" surface.gp. fistab's CSV has lines of
 # distance, speed, brake after its head; each third cell is drawn.
 load 'tools/report/figure.gp'

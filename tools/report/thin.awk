@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Makes the paths of an SVG short: awk -v RS="'" -f thin.awk IN.svg >OUT.svg. A point that lies within
 # 0.1 pixel of the line drawn without it goes; what stays is written as steps of tenths.
 

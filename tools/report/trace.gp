@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # One scenario over time, a curve a controller: gnuplot -e "out='...'; files='a.csv b.csv'; colours='1 2';
 # columns='gap_m ego_mps'; labels='\"gap, m\" \"speed, m/s\"'; references='\"\" lead_mps'; lows='0 0'; highs='* *'; steps='1 2'" trace.gp
 # Margins are fixed: the player lays its cursor over them.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A dimmer: a light sensor's byte comes in at P1, a lamp's byte goes out at P2. */
 #include "lut.h"
 

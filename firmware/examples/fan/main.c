@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A fan: temperature comes in at P0, in half degrees Celsius, and relative humidity at P1, in
  * percent. The fan's speed goes out at P2, in percent. The table has 9 x 9 nodes; between them the
  * chip interpolates. */

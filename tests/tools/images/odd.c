@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A controller that measures nothing and misbehaves in one way, chosen by a macro, to see what
  * drive makes of it. Otherwise: brake released, a trigger pulse every 60 ms. */
 #include <8052.h>

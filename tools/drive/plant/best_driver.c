@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "best_driver.h"
 
 #include <math.h>

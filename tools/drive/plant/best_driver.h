@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the best possible driver with this sensor comes to: the outcome that is owed in a scenario,
  * from the car and the sensor alone. No controller is asked.
  *

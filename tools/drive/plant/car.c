@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "car.h"
 
 #include <math.h>

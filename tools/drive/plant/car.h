@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The plant: a car with a brake on a lane, and up to two cars ahead of it. Between two changes of
  * the brake's demand the motion is integrated in closed form, so neither the step nor the
  * simulator's quantum moves an outcome; only the driver model looks at the speed once a step. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A sensor head on the controller's serial line: each trigger is answered by one frame, laid out as
  * firmware/frames/frame.h says, and what may be wrong with it. The bytes are made here a second
  * time, so that a misunderstanding of the layout shows. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "pwm.h"
 
 void pwm_init(struct pwm *pwm, int64_t t_ns, bool level)

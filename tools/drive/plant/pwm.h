@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads the duty cycle off a pin, period by period, from one rising edge to the next. */
 #ifndef FUZZY51_PWM_H
 #define FUZZY51_PWM_H

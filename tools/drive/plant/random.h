@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A small deterministic source of random numbers: the same seed gives the same run everywhere. */
 #ifndef FUZZY51_RANDOM_H
 #define FUZZY51_RANDOM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "robots.h"
 
 #include <math.h>

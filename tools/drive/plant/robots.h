@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The follower's plant: a robot behind another one, on a lane beside another. Time goes in steps of
  * 0.1 s, at whose beginning the robot is measured and for which its motion control holds one
  * acceleration; speeds stay in 0..2 m/s. All numbers are whole, so a run is the same everywhere. */

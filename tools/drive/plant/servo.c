@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "servo.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads a servo's pulses off a pin. */
 #ifndef FUZZY51_SERVO_H
 #define FUZZY51_SERVO_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sonar.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sensor: an ultrasonic module of the HC-SR04 class, and what may be wrong with it. A trigger
  * pulse of 10 us or more makes it send; after delay_us the echo line rises and stays high as long
  * as the sound is on its way. Triggers that come before the echo line has fallen are not heard. The

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sonar.h"
 
 #define AT(member) offsetof(struct sensor, member)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "truck.h"
 
 #include <math.h>

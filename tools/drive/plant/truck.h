@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A car that drives backwards: the kinematics of its rear axle's midpoint,
  *     dX/dt = -v cos psi    dY/dt = -v sin psi    dpsi/dt = -(v / L) tan theta
  * with the heading psi against +x and the steering angle theta. */

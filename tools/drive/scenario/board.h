@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What drive knows of a board: its clock, its chip in the simulator, and its pins. The facts come
  * out of firmware/boards through build/boards.h, so the firmware is built from the same ones. */
 #ifndef FUZZY51_BOARD_H

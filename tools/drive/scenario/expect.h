@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stated outcomes of a scenario, and what a run measures to judge them by. */
 #ifndef FUZZY51_EXPECT_H
 #define FUZZY51_EXPECT_H

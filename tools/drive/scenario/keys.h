@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How a scenario file is described: sections, and the keys of each. A section's table stands beside
  * the code that uses its values: what all controllers share in sections.c, the sensors' in plant,
  * the rest in each world. The reader, `drive keys` and docs/drive.md all follow these tables. */

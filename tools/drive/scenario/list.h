@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a folder of scenarios holds. */
 #ifndef FUZZY51_LIST_H
 #define FUZZY51_LIST_H

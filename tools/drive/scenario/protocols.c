@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "protocols.h"
 
 #include "diag.h"

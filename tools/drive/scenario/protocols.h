@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Writes the report's scenarios: the grids of public test protocols, scaled to a model car, each
  * with the outcome that physics allows (plant/best_driver.h).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scenario: who drives where, what the sensor does, and what must come of it. Read from an INI
  * file in which every section, key and value is checked. tests/loop holds examples; `drive keys`
  * and docs/drive.md list all sections and keys. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Shows a run while it goes on: road, gap, brake and state, or a yard from above, redrawn in the
  * terminal at the pace of real time; plain lines when the output is no terminal. */
 #ifndef FUZZY51_LIVE_H

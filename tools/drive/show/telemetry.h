@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Listens to the controller's serial line: keeps all that it said, and reads its CSV lines, whose
  * columns are named by a header line. */
 #ifndef FUZZY51_SHOW_TELEMETRY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a run leaves behind: CSV for people, VCD for a waveform viewer, JSON for machines. */
 #ifndef FUZZY51_TRACE_H
 #define FUZZY51_TRACE_H

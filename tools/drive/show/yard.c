@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "yard.h"
 
 #include <math.h>

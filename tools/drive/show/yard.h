@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A yard from above, in a terminal: the place to park at the origin, the car, the way that its rear
  * axle has gone, its front wheels. */
 #ifndef FUZZY51_YARD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Does this s51 keep time? Releases after 0.6.4 lose a timer tick with each interrupt, so an
  * unknown one first has to do what the firmware needs, with the timers that the firmware uses:
  * measure an echo to half a millimetre, keep the PWM's period to 0.1 %, send serial bytes, run

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The canary: does with each timer what the firmware does with it. Timer 0 measures a pulse on
  * P3.2, timer 1 interrupts every 5,000 machine cycles and toggles P1.0, timer 2 is the baud rate of
  * the line that prints the pulse's length. Built by SDCC, run by `drive canary`. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Keeps the simulator and the plant on one processor. They take turns 2,000 times a simulated
  * second; handing over between two processors costs more than the work itself. */
 #ifndef FUZZY51_CPU_H

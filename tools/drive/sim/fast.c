@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "fast.h"
 
 #include "diag.h"

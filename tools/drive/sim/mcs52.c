@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The chip as a whole: life, reset, special function registers, checkpoints. */
 #include "mcs52_inside.h"
 

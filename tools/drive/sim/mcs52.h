@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* An MCS-52 chip, exact to the machine cycle, as a library: any number of chips, no global state.
  *
  * Times are machine cycles (12 clocks) since mcs52_create. Cycle N is the one that begins at time

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The processor's registers and what instructions are made of. Only mcs52_cpu.c includes this. */
 #ifndef FUZZY51_MCS52_CORE_H
 #define FUZZY51_MCS52_CORE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The processor: all instructions, by [I]'s instruction set. */
 #include "mcs52_core.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Faults put into the chip: bits that flip once or stick. */
 #include "mcs52_inside.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the files of the library mcs52 share. Nothing else includes this. */
 #ifndef FUZZY51_MCS52_INSIDE_H
 #define FUZZY51_MCS52_INSIDE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Interrupts: [I]'s sampling, polling and two levels.
  *
  * A flag that is set in cycle C is sampled at its end, polled in C+1 and, if C+1 is the last cycle

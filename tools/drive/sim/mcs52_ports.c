@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Ports: a pin is high when the latch, the outside and the alternate function all let it be ([I],
  * port structures and operation; open pins of port 0 count as pulled up). Changes of input pins
  * reach interrupts, timers and the serial port here. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Time: what is due when, and what happens between two instructions. */
 #include "mcs52_inside.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Checkpoints: copying a chip and comparing two. */
 #include "mcs52_inside.h"
 

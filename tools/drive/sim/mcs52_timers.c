@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Timers 0, 1 and 2 ([I], timer/counters; [A] for T2MOD). Nothing is counted cycle by cycle: the
  * registers are brought up to date when somebody looks, and at overflows that somebody must hear
  * of. */

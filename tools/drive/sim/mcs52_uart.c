@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The serial port, bit by bit ([I], serial interface).
  *
  * Modes 1 to 3 send and receive with clocks of sixteen times the baud rate. Their ticks come at a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The watchdogs: [A] WDTRST, [S] WDT_CONTR. */
 #include "mcs52_inside.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The engine `s51`: uCsim's simulator as a process in lockstep, with exact times.
  *
  * s51 runs free and blocks only in its own reading of a value change dump, from a FIFO: it halts at

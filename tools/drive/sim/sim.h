@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The seam between drive and what runs the controller's image: a simulator, or later a board.
  *
  * Times are nanoseconds since the chip's reset. The engine runs ahead of the world: sim_run_to

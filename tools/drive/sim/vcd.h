@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads the value change dump that s51 writes while it runs: bytes in, changes out. */
 #ifndef FUZZY51_VCD_H
 #define FUZZY51_VCD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What worlds have in common, so that each is only its plant and its expectations: a struct world
  * begins with a struct base, and its class takes those of the functions below that it has nothing
  * to add to. */

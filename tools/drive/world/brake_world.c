@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The brake controller's world: a car behind one or two others, an ultrasonic sensor, a brake that
  * follows the PWM and the STOP pin, a lamp and a buzzer. */
 #include "brake_world.h"

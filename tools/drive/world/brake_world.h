@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a scenario says of the brake's world alone. The laboratory, too, makes such scenarios. */
 #ifndef FUZZY51_BRAKE_WORLD_H
 #define FUZZY51_BRAKE_WORLD_H

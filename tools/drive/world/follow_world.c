@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The follower's world: a robot behind another one, and a lane beside them. Robots move in steps of
  * 0.1 s, each begun by the controller's trigger: what its pins say when the next one comes is the
  * acceleration of the step between. */

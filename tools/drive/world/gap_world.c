@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The gap controller's world: two cars on a lane, a head that measures gap and speeds, a brake that
  * follows the PWM and a throttle that follows a servo's pulses. */
 #include "base.h"

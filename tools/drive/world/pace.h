@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The pace of a controller's triggers: when the next one is to be expected. */
 #ifndef FUZZY51_PACE_H
 #define FUZZY51_PACE_H

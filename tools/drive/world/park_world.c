@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The parking controller's world: a car that drives backwards while the stop line lets it, steered
  * by a servo, and a head that tells where it stands. */
 #include "base.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The radar controller's world: two cars on a road that may bend, a radar front end that answers
  * each trigger with a frame, a brake that follows the PWM, a throttle that can be cut. */
 #include "base.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The seam between the lockstep loop and what is around one kind of controller: its sensor, its
  * plant, what is measured. run.c knows only this; brake_world.c is the brake's. Times are
  * nanoseconds of the scenario, 0 at the controller's first trigger, or at the one that is_warm
