@@ -77,7 +77,7 @@
 
 enum brake_state { BRAKE_RELEASED, BRAKE_CONTROL, BRAKE_STOP, BRAKE_FAULT };
 
-/* docs/brake.md has them in this order. From BRAKE_FAULT_TABLE on they last until the next start. */
+/* The order of docs/brake.md. From BRAKE_FAULT_TABLE on they last until the next start. */
 enum brake_fault {
     BRAKE_FAULT_NONE,
     BRAKE_FAULT_NOT_RISEN,  /* no echo pulse at all */
