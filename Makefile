@@ -36,9 +36,8 @@ SHELL     := /bin/bash
 .DEFAULT_GOAL := all
 Q := $(if $(V),,@)
 VERSION := $(shell sed -n 's/^\#\# \([0-9][0-9.]*\).*/\1/p;T;q' CHANGELOG.md)
-# Where an image says who it is (firmware/mcu/identity.h): behind the vectors of an 8052's six interrupts
-# and the jump to main.
-IDENTITY_AT := 0x32
+# Where an image has the address of the text that says who it is (firmware/mcu/identity.h).
+IDENTITY_AT := 0x06
 export NO_INSTALL UNITY_DIR MAP ONLY JOBS SSHLOGIN
 
 DEFAULT_BOARD := stc89c516rd

@@ -32,9 +32,9 @@ else
 include firmware/boards/$(BOARD).mk
 OUT := build/$(BOARD)
 
-SDCC_FLAGS = --i-code-in-asm -DIDENTITY_AT=$(IDENTITY_AT) -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
+SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
     -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
-# Who an image is, but for its table (identity.h). The linker puts all other code behind the text.
+# Who an image is, but for its table (identity.h).
 identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 
@@ -52,14 +52,13 @@ $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
 	@mkdir -p $$(@D); rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex
 	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
 $(call compile_rules,$(1),firmware/)
-$(OUT)/$(1)/mcu/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"' -DIDENTITY_BYTES=$$(IDENTITY_BYTES)
-$(OUT)/$(1)/mcu/identity.rel $(OUT)/$(1).ihx: IDENTITY_BYTES = $$(shell printf '%s table=0xFFFF.' '$(identity_of)' | wc -c)
+$(OUT)/$(1)/mcu/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"'
 $(OUT)/$(1).ihx: $$(patsubst %,$(OUT)/$(1)/%.rel,$$($(1)_MODULES)) build/bound
 	@rm -f $$@ $$(@:.ihx=.hex) $$(@:.ihx=.mem)
 	$$(Q)tools/check_asm.sh $$(patsubst %.rel,%.asm,$$(filter %.rel,$$^))
-	$$(Q)if $(SDCC) $(SDCC_LINK) -Wl-bGSINIT0=$$$$(($(IDENTITY_AT) + $$(IDENTITY_BYTES))) $$(filter %.rel,$$^) -o $$@ 2>$$(@:.ihx=.log) && \
-	    (( $$$$(awk '$$$$1 == "ROM/EPROM/FLASH" { print $$$$3 }' $$(@:.ihx=.mem)) < $(CODE_BYTES) )); then cat $$(@:.ihx=.log) >&2; \
+	$$(Q)if $(SDCC) $(SDCC_LINK) $$(filter %.rel,$$^) -o $$@ 2>$$(@:.ihx=.log); then cat $$(@:.ihx=.log) >&2; \
 	    else rm -f $$@; tools/no_fit.sh $$(@:.ihx=) $(BOARD) $(CODE_BYTES) '$(strip $($(1)_SMALLER))' >&2; exit 1; fi
+	$$(Q)tools/identify.sh $$@ $(IDENTITY_AT)
 	$$(Q)build/bound --iram=$(IRAM_BYTES) $($(1)_CYCLES:%=--cycles=%) --round=main $$@ $$(@:.ihx=.map) \
 	    $$(patsubst %.rel,%.rst,$$(filter %.rel,$$^)) >$$(@:.ihx=.bound)
 endef

@@ -19,12 +19,10 @@ for file in "$mem" "$bound" "$fragment"; do
     }
 done
 iram=$(awk '$1 == "IRAM_BYTES" { print $3 }' "$fragment")
-# The linker's own sum leaves out the bytes between the vectors and the identity.
-end=$(awk '$1 == "ROM/EPROM/FLASH" { print $3 }' "$mem")
-awk -v board="$1" -v app="$2" -v iram="$iram" -v code="$((end + 1))" '
+awk -v board="$1" -v app="$2" -v iram="$iram" '
 $1 == "stack:" { taken = $4 }
 /^Stack starts at/ { stack = $(NF - 2) }
-$1 == "ROM/EPROM/FLASH" { room = $NF }
+$1 == "ROM/EPROM/FLASH" { code = $(NF - 1); room = $NF }
 END {
     printf "%-12s %-12s code %5d of %5d bytes, RAM %3d of %3d bytes, which leaves %3d for the stack, which takes at most %d\n",
         board, app, code, room, iram - stack, iram, stack, taken

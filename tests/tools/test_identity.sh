@@ -11,12 +11,10 @@ run() {
     build/drive run --board "$board" --scenario tests/loop/start_inside_1m.scn "$@"
 }
 
-# Bytes of a hex file as text: the address and the length in bytes.
-bytes_at() { # FILE ADDRESS COUNT
-    objcopy -I ihex -O binary "$1" "$out/image.bin"
-    tail -c "+$(($2 + 1))" "$out/image.bin" | head -c "$3"
-}
-check "the text stands at 0x32" [ "$(bytes_at build/$board/brake.ihx 0x32 ${#who})" = "$who" ]
+# The text at the address that the two bytes at 6 hold.
+objcopy -I ihex -O binary "build/$board/brake.ihx" "$out/image.bin"
+at=$(od -An -j 6 -N 2 -t u1 "$out/image.bin" | awk '{ print $1 + 256 * $2 }')
+check "the bytes at 6 lead to the text" [ "$(tail -c "+$((at + 1))" "$out/image.bin" | head -c ${#who})" = "$who" ]
 
 run --csv "$out/run.csv" --json "$out/run.json" --uart "$out/said" >"$out/stdout"
 check "drive prints it" grep -qxF "  image: $who" "$out/stdout"

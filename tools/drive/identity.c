@@ -9,13 +9,16 @@
 void identity_find(struct identity *identity, const struct hexfile *hex)
 {
     char image[2 * IDENTITY_WORD];
-    size_t length = 0;
+    size_t at = (size_t)hex->code[IDENTITY_AT] + 256U * hex->code[IDENTITY_AT + 1];
 
     memset(identity, 0, sizeof *identity);
-    while (length < IDENTITY_TEXT - 1 && hex->used[IDENTITY_AT + length] &&
-           hex->code[IDENTITY_AT + length] >= ' ' && hex->code[IDENTITY_AT + length] <= '~') {
-        identity->text[length] = (char)hex->code[IDENTITY_AT + length];
-        length++;
+    if (!hex->used[IDENTITY_AT] || !hex->used[IDENTITY_AT + 1]) {
+        return;
+    }
+    for (size_t k = 0; k < IDENTITY_TEXT - 1 && at < HEX_CODE_SIZE && hex->used[at] &&
+                       hex->code[at] >= ' ' && hex->code[at] <= '~';
+         k++, at++) {
+        identity->text[k] = (char)hex->code[at];
     }
     if (sscanf(identity->text, "fuzzy51 %*15s %63s %31s %ld Hz table=", image, identity->board,
                &identity->clk_hz) != 3) {
