@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Adds to a linked image the address of the text that says who it is (firmware/mcu/identity.h):
 #     tools/identify.sh IMAGE.ihx AT       the two bytes at AT become the address, low byte first
 # The linker cannot do that: it keeps all of the vectors' area for the vectors, unused bytes, too.

@@ -13,7 +13,7 @@ log=$1.log mem=$1.mem
 end=$(awk '$1 == "ROM/EPROM/FLASH" { print $3 }' "$mem" 2>/dev/null || true)
 if [ -n "$end" ] && [ $((end)) -ge "$3" ]; then
     echo "$1.ihx: error: $((end + 1)) bytes of code are too many for board $2, which has $3${4:+; $4}"
-elif grep -q Insufficient "$log"; then
+elif grep -q 'Insufficient\|in internal RAM' "$log"; then
     echo "$1.ihx: error: the variables leave too little RAM for the stack on board $2; see $mem"
 else
     cat "$log"
