@@ -4,7 +4,7 @@
 # with main first, as SDCC's manual asks. Each carries a table, so that all start alike.
 IMAGES_OF_brake := brake tuned classic first none
 
-BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake closing range) mcu/echo mcu/uart
+BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning closing range) mcu/echo mcu/uart
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.
 BRAKE_SMALLER := GRID=80x80, LEVELS=50 or REPAIR=-1,+2 makes the table smaller

@@ -1,33 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Closing speed. Inside, a speed is a signed number of 2 mm/s, positive when closing. */
+/* Closing speed. Inside, a speed is in 2 mm/s, positive when closing, modulo 2^16. */
 #include "closing.h"
-#include "cc51.h"
 #include "fixed.h"
 
 __data struct closing_speed closing_difference, closing_smooth;
-uint8_t closing_samples, closing_span_cs;
+uint16_t closing_place_mm, closing_foreseen_mm;
+uint8_t closing_span_cs;
 
-static uint16_t place_mm; /* believed last */
-static uint8_t since_cs;  /* since then; 255: long */
-static __bit has_aside;   /* and one that was not */
-static uint16_t aside_mm;
-static uint8_t since_aside_cs;
-
-/* Alpha-beta's place of the target and its speed; both wait for closing_expect where they are due.
- */
-static uint16_t smooth_mm;
-static int16_t smooth_2mmps;
-static __bit is_place_due, is_speed_due;
-
-/* What the next reading is taken from, where this target's lies if it is believed, and the rate of
- * its time, or of that since the one aside. */
-static uint16_t before_mm;
-static uint16_t gate_from_mm, gate_span_mm;
-static uint16_t rate, rate_aside; /* out of RATES */
-
-/* Of the reading believed last: how far it lies from where alpha-beta saw the target. */
-static uint16_t off_mm;
-static __bit is_further;
+static uint16_t nearer_mm; /* than the place before, modulo 2^16 */
+static uint16_t rate;      /* of the time between them, out of RATES */
+static uint16_t smooth_mm; /* alpha-beta's place of the target, and its speed */
+static uint16_t smooth_2mmps;
 
 /* 1 mm in n/100 s is 100 / n mm/s, that is 50 / n units. Times 65536 / 16 for n = 5..31. */
 #define RATE(n) ((3276800UL / 16U + (n) - 1U) / (n))
@@ -37,183 +20,109 @@ static const uint16_t __code RATES[] = {
     RATE(23), RATE(24), RATE(25), RATE(26), RATE(27), RATE(28), RATE(29), RATE(30), RATE(31),
 };
 
-/* How far that speed brings the target nearer; at most 1 mm off. */
-static int16_t travel_mm(int16_t speed_2mmps, uint8_t elapsed_cs)
-{
-    /* elapsed * 65536 / 50 */
-    uint16_t factor = (uint16_t)(mul_u8(elapsed_cs, 5U) << 8) + mul_u8(elapsed_cs, 31U);
+#define RATES_COUNT (CLOSING_SPAN_MAX_CS - CLOSING_SPAN_MIN_CS + 1U)
 
-    if (speed_2mmps >= 0) {
-        return (int16_t)mul_hi_u16((uint16_t)speed_2mmps, factor);
+/* So many mm of a difference count: in the least time they are 64 m/s. */
+#define MOVED_MAX_MM 3200U
+
+static void show_smooth(void)
+{
+    uint16_t mmps = (uint16_t)(smooth_2mmps << 1);
+
+    closing_smooth.closing_mmps = 0;
+    closing_smooth.opening_mmps = 0;
+    if ((int16_t)smooth_2mmps < 0) {
+        closing_smooth.opening_mmps = (uint16_t)(0U - mmps);
+    } else {
+        closing_smooth.closing_mmps = mmps;
     }
-    return -(int16_t)mul_hi_u16((uint16_t)-speed_2mmps, factor);
 }
 
-/* Believes no reading. */
-static void shut_gate(void)
+static void copy_to_difference(void)
 {
-    closing_samples = 0;
-    gate_from_mm = 65535U;
-    gate_span_mm = 0;
+    closing_difference.closing_mmps = closing_smooth.closing_mmps;
+    closing_difference.opening_mmps = closing_smooth.opening_mmps;
 }
 
 void closing_restart(void)
 {
-    shut_gate();
-    has_aside = false;
-    is_speed_due = false;
     smooth_2mmps = 0;
-    closing_smooth.closing_mmps = 0;
-    closing_smooth.opening_mmps = 0;
-    closing_difference.closing_mmps = 0;
-    closing_difference.opening_mmps = 0;
+    show_smooth();
+    copy_to_difference();
 }
 
-static uint8_t later_cs(uint8_t time_cs, uint8_t elapsed_cs)
+void closing_take(uint16_t dist_mm, uint8_t span_cs)
 {
-    return time_cs + elapsed_cs < 255 ? (uint8_t)(time_cs + elapsed_cs) : 255;
+    uint8_t index = (uint8_t)(span_cs - CLOSING_SPAN_MIN_CS);
+
+    if (index >= RATES_COUNT) {
+        index = RATES_COUNT - 1U;
+    }
+    rate = RATES[index];
+    closing_span_cs = span_cs;
+    nearer_mm = closing_place_mm - dist_mm;
+    closing_place_mm = dist_mm;
 }
 
-void closing_expect(uint8_t elapsed_cs)
+/* So many mm, modulo 2^16, at `rate`. */
+static uint16_t speed_2mmps(uint16_t mm)
 {
-    uint16_t gate_mm = CLOSING_GATE_MM;
+    __bit is_opening = (int16_t)mm < 0;
 
-    if (elapsed_cs < CLOSING_ELAPSED_MIN_CS) { /* RATES begins there */
-        elapsed_cs = CLOSING_ELAPSED_MIN_CS;
+    if (is_opening) {
+        mm = (uint16_t)(0U - mm);
     }
-    if (is_place_due) {
-        uint16_t part_mm = off_mm >> 2;
-
-        is_place_due = false;
-        smooth_mm = is_further ? place_mm - part_mm : place_mm + part_mm;
+    if (mm > MOVED_MAX_MM) {
+        mm = MOVED_MAX_MM;
     }
-    if (is_speed_due) { /* nothing to smooth yet */
-        is_speed_due = false;
-        smooth_mm = place_mm;
-        smooth_2mmps = (int16_t)(closing_smooth.closing_mmps >> 1) -
-                       (int16_t)(closing_smooth.opening_mmps >> 1);
+    mm = mul_hi_u16((uint16_t)(mm << 4), rate);
+    if (is_opening) {
+        mm = (uint16_t)(0U - mm);
     }
-    before_mm = place_mm;
-    since_cs = later_cs(since_cs, elapsed_cs);
-    since_aside_cs = later_cs(since_aside_cs, elapsed_cs);
-    if (since_aside_cs > CLOSING_ELAPSED_MAX_CS) {
-        has_aside = false;
-    } else {
-        rate_aside = RATES[since_aside_cs - CLOSING_ELAPSED_MIN_CS];
-    }
-    if (since_cs > CLOSING_ELAPSED_MAX_CS) {
-        shut_gate(); /* too long: whatever comes is another target */
-    }
-    if (closing_samples == 0) {
-        return;
-    }
-    rate = RATES[since_cs - CLOSING_ELAPSED_MIN_CS];
-    if (closing_samples == 1) {
-        gate_mm = (uint16_t)(mul_u8(since_cs, CLOSING_REACH_MM_PER_CS / 2U) << 1);
-    }
-    gate_from_mm = (uint16_t)(smooth_mm - (uint16_t)travel_mm(smooth_2mmps, since_cs) - gate_mm);
-    gate_span_mm = (uint16_t)(gate_mm << 1);
+    return mm;
 }
 
-/* A reading that is not within the gate. */
-static bool take_stranger(uint16_t dist_mm)
+void closing_take_second(uint16_t dist_mm, uint8_t span_cs)
 {
-    if (closing_samples == 0) {
-        closing_restart();
-        smooth_mm = dist_mm;
-        return true;
-    }
-    if (!has_aside || (uint16_t)(dist_mm - aside_mm + CLOSING_GATE_MM) > 2U * CLOSING_GATE_MM) {
-        has_aside = true;
-        aside_mm = dist_mm;
-        since_aside_cs = 0;
-        return false;
-    }
-    before_mm = aside_mm;
-    since_cs = since_aside_cs;
-    rate = rate_aside;
-    closing_samples = 1;
-    return true;
+    closing_take(dist_mm, span_cs);
+    smooth_mm = dist_mm;
+    smooth_2mmps = speed_2mmps(nearer_mm);
+    show_smooth();
+    copy_to_difference();
 }
 
-bool closing_update(uint16_t dist_mm)
+void closing_expect(uint8_t span_cs)
 {
-    off_mm = dist_mm - gate_from_mm; /* for now from the gate's end */
-    if (off_mm > gate_span_mm && !take_stranger(dist_mm)) {
-        return false;
+    /* span * 65536 / 100 */
+    uint16_t factor = (uint16_t)(mul_u8(span_cs, 2U) << 8) + mul_u8(span_cs, 143U);
+
+    closing_foreseen_mm =
+        mul_hi_u16((uint16_t)(closing_smooth.closing_mmps | closing_smooth.opening_mmps), factor);
+    if (closing_smooth.opening_mmps == 0) {
+        closing_foreseen_mm = (uint16_t)(0U - closing_foreseen_mm);
     }
-    has_aside = false;
-    place_mm = dist_mm;
-    closing_span_cs = since_cs;
-    since_cs = 0;
-    if (closing_samples < 3) {
-        closing_samples++;
-        if (closing_samples == 2) {
-            closing_take_difference();
-            closing_smooth.closing_mmps = closing_difference.closing_mmps;
-            closing_smooth.opening_mmps = closing_difference.opening_mmps;
-            is_speed_due = true;
-        }
-    }
-    return true;
+    closing_foreseen_mm += smooth_mm;
 }
 
-/* So many mm at `rate`, in 2 mm/s, doubled. Up to 4095 mm count. */
 void closing_take_difference(void)
 {
-    uint16_t moved_mm = before_mm - place_mm;
-    __bit is_nearer = true;
+    uint16_t speed = speed_2mmps(nearer_mm);
 
-    if ((int16_t)moved_mm < 0) {
-        moved_mm = place_mm - before_mm;
-        is_nearer = false;
-    }
-    if ((uint8_t)(moved_mm >> 8) >= 16U) {
-        moved_mm = 4095U;
-    }
-    moved_mm = (uint16_t)(moved_mm << 4);
-    moved_mm = mul_hi_bytes((uint8_t)(moved_mm >> 8), (uint8_t)moved_mm, (uint8_t)(rate >> 8),
-                            (uint8_t)rate);
-    moved_mm = (uint16_t)(moved_mm << 1);
-    if (is_nearer) {
-        closing_difference.closing_mmps = moved_mm;
-        closing_difference.opening_mmps = 0;
+    closing_difference.closing_mmps = 0;
+    closing_difference.opening_mmps = 0;
+    if ((int16_t)speed < 0) {
+        closing_difference.opening_mmps = (uint16_t)((0U - speed) << 1);
     } else {
-        closing_difference.closing_mmps = 0;
-        closing_difference.opening_mmps = moved_mm;
+        closing_difference.closing_mmps = (uint16_t)(speed << 1);
     }
 }
 
 void closing_take_smooth(void)
 {
-    uint16_t part_2mmps;
+    int16_t off_mm = (int16_t)(closing_foreseen_mm - closing_place_mm);
 
-    is_place_due = true;
-    if (off_mm >= CLOSING_GATE_MM) {
-        off_mm = (uint16_t)(off_mm - CLOSING_GATE_MM);
-        is_further = true;
-    } else {
-        off_mm = (uint16_t)(CLOSING_GATE_MM - off_mm);
-        is_further = false;
-    }
-    /* A quarter of what closing_take_difference says of so many mm: CLOSING_GATE_MM at most, no sum
-     * overflows. */
-    part_2mmps = mul_u8((uint8_t)off_mm, (uint8_t)rate) >> 8;
-    part_2mmps += mul_u8((uint8_t)off_mm, (uint8_t)(rate >> 8));
-    if ((uint8_t)(off_mm >> 8) != 0) {
-        part_2mmps += rate;
-    }
-    part_2mmps >>= 6;
-    if (is_further) {
-        smooth_2mmps -= (int16_t)part_2mmps;
-    } else {
-        smooth_2mmps += (int16_t)part_2mmps;
-    }
-    if (smooth_2mmps >= 0) {
-        closing_smooth.closing_mmps = (uint16_t)((uint16_t)smooth_2mmps << 1);
-        closing_smooth.opening_mmps = 0;
-    } else {
-        closing_smooth.closing_mmps = 0;
-        closing_smooth.opening_mmps = (uint16_t)((uint16_t)-smooth_2mmps << 1);
-    }
+    smooth_mm = (uint16_t)(closing_place_mm + (uint16_t)(off_mm >> 2));
+    off_mm = (int16_t)speed_2mmps((uint16_t)off_mm);
+    smooth_2mmps += (uint16_t)(off_mm >> 2);
+    show_smooth();
 }

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Readings -> closing speed, and which reading to believe. Portable, integers, no division.
+/* A target's places -> its closing speed. Portable, integers, no division.
  *
- * Two estimators run side by side: the plain difference of the last two believed readings over the
- * true time between them, and alpha-beta with 3/4 and 1/4. One gate serves both: a reading more
- * than CLOSING_GATE_MM from where the target should be is set aside once, and believed when the
- * next one agrees with it. (What each is good for: `make bench` measures it in the loop.) */
+ * Two estimators run side by side: the plain difference of the last two places over the true time
+ * between them, and alpha-beta with 3/4 and 1/4. Which echo is a place of the target, target.h
+ * says. (What each is good for: `make bench` measures it in the loop.) */
 #ifndef FUZZY51_CLOSING_H
 #define FUZZY51_CLOSING_H
 
@@ -12,14 +11,12 @@
 #include <stdint.h>
 #include "cc51.h"
 
-#define CLOSING_GATE_MM 350U
+/* Two places are so far apart in time, 1/100 s; less counts as the least, more as the most. */
+#define CLOSING_SPAN_MIN_CS 5U
+#define CLOSING_SPAN_MAX_CS 31U
 
-/* Faster than 36 m/s nothing comes or goes: a second reading further off is no second reading. */
-#define CLOSING_REACH_MM_PER_CS 360U
-
-/* Readings are 5..CLOSING_ELAPSED_MAX_CS apart; after a longer silence a target starts anew. */
-#define CLOSING_ELAPSED_MIN_CS 5U
-#define CLOSING_ELAPSED_MAX_CS 31U
+/* A place is at most so far from where alpha-beta sees the target. */
+#define CLOSING_OFF_MAX_MM 700U
 
 /* Speeds in mm/s, each as two magnitudes of which one is 0: up to 36 m/s do not fit 16 bits with a
  * sign. */
@@ -30,27 +27,43 @@ struct closing_speed {
 extern __data struct closing_speed closing_difference; /* plain difference */
 extern __data struct closing_speed closing_smooth;     /* alpha-beta */
 
-/* The time that closing_difference is taken over, 1/100 s. */
+/* Which estimator feeds the law: ESTIMATOR_difference (default) or ESTIMATOR_smooth; the other one
+ * can wait until the brake has acted. The release of STOP and the warning always ask the smooth
+ * one. */
+#if defined(ESTIMATOR_smooth)
+#define CLOSING_LAW        closing_smooth
+#define CLOSING_TAKE_FIRST closing_take_smooth
+#define CLOSING_TAKE_LATER closing_take_difference
+#else
+#define CLOSING_LAW        closing_difference
+#define CLOSING_TAKE_FIRST closing_take_difference
+#define CLOSING_TAKE_LATER closing_take_smooth
+#endif
+
+/* The time that the difference is taken over, 1/100 s. */
 extern uint8_t closing_span_cs;
 
-/* Readings believed of this target, 0..3 (3: or more). */
-extern uint8_t closing_samples;
+/* The target's last place, which target.c may exchange, and where alpha-beta foresees the next one;
+ * that may be below 0, modulo 2^16. */
+extern uint16_t closing_place_mm, closing_foreseen_mm;
 
-/* Forgets the target; speeds are 0 until two readings came. */
+/* No speed, until a target's second place. */
 void closing_restart(void);
 
-/* A reading is on its way, elapsed_cs (1/100 s; less than CLOSING_ELAPSED_MIN_CS counts as that)
- * after the last call or restart. Once for each, whether it comes or not. Up to 440 mc. */
-void closing_expect(uint8_t elapsed_cs);
+/* The target's second place, span_cs (5..31; other times count as 31) after closing_place_mm: both
+ * estimators begin with the difference. */
+void closing_take_second(uint16_t dist_mm, uint8_t span_cs);
 
-/* The reading came, 0..RANGE_MAX_MM. False: it is set aside and the speeds stay as they are. True,
- * and closing_samples is 3: the speeds are still those of the reading before, and each estimator is
- * owed its call below. Up to 250 mc. */
-bool closing_update(uint16_t dist_mm);
+/* A later one, within CLOSING_OFF_MAX_MM of where it was foreseen. Each estimator is owed its call
+ * below. */
+void closing_take(uint16_t dist_mm, uint8_t span_cs);
 
-/* Takes that reading into one estimator: once each, before the next closing_expect; the brake asks
- * one of them before it acts and the other one after it. Up to 130 mc each. */
+/* Takes the place of closing_take into one estimator: once each, before the next closing_expect.
+ * Up to 200 mc each. */
 void closing_take_difference(void);
 void closing_take_smooth(void);
+
+/* The next place is due span_cs after the last one. From the second place on. Up to 250 mc. */
+void closing_expect(uint8_t span_cs);
 
 #endif

@@ -3,8 +3,8 @@
 #include "ease.h"
 #include "fixed.h"
 
-static __idata uint8_t still_readings; /* in a row, 0..EASE_STILL_READINGS */
-static __idata uint8_t hold_pct;
+static uint8_t still_readings; /* in a row, 0..EASE_STILL_READINGS */
+static uint8_t hold_pct;
 
 void ease_restart(void)
 {
@@ -16,34 +16,37 @@ uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm)
 {
     uint8_t opening_mmps, w; /* w: n / 256, and 255 takes nothing of 100 percent either */
 
-    if (closing_smooth.closing_mmps >= EASE_SPAN_MMPS - EASE_OPENING_MMPS) {
-        still_readings = 0;
-        return table_pct > hold_pct ? table_pct : hold_pct;
-    }
     if (closing_smooth.opening_mmps >= EASE_OPENING_MMPS) {
         ease_restart();
         return 0;
     }
-    opening_mmps = (uint8_t)closing_smooth.opening_mmps;
-    w = EASE_OPENING_MMPS - opening_mmps;
-    w = (uint8_t)((uint16_t)(closing_smooth.closing_mmps + w) >> EASE_SHIFT);
-    if (opening_mmps <= EASE_STILL_MMPS && dist_mm < EASE_NEAR_MM) {
-        dist_mm = EASE_NEAR_MM - dist_mm;
-        if (dist_mm >= 512U) {
-            w = 255;
-        } else if (w < (uint8_t)(dist_mm >> 1)) {
-            w = (uint8_t)(dist_mm >> 1);
+    if (closing_smooth.closing_mmps >= EASE_SPAN_MMPS - EASE_OPENING_MMPS) {
+        still_readings = 0;
+    } else {
+        opening_mmps = (uint8_t)closing_smooth.opening_mmps;
+        w = EASE_OPENING_MMPS - opening_mmps;
+        w = (uint8_t)((uint16_t)(closing_smooth.closing_mmps + w) >> EASE_SHIFT);
+        if (opening_mmps <= EASE_STILL_MMPS && dist_mm < EASE_NEAR_MM) {
+            dist_mm = EASE_NEAR_MM - dist_mm;
+            if (dist_mm >= 512U) {
+                w = 255;
+            } else if (w < (uint8_t)(dist_mm >> 1)) {
+                w = (uint8_t)(dist_mm >> 1);
+            }
+        }
+        table_pct = (uint8_t)((uint16_t)(mul_u8(w, table_pct) + 128U) >> 8);
+        /* The least brake of a car that seems to stand. */
+        if (table_pct == 0 || closing_smooth.closing_mmps > EASE_STILL_MMPS ||
+            opening_mmps > EASE_STILL_MMPS) {
+            still_readings = 0;
+        } else if (still_readings < EASE_STILL_READINGS) {
+            still_readings++;
+        } else if (hold_pct < EASE_HOLD_PCT) {
+            hold_pct++;
         }
     }
-    table_pct = (uint8_t)((uint16_t)(mul_u8(w, table_pct) + 128U) >> 8);
-    /* The least brake of a car that seems to stand. */
-    if (table_pct == 0 || closing_smooth.closing_mmps > EASE_STILL_MMPS ||
-        opening_mmps > EASE_STILL_MMPS) {
-        still_readings = 0;
-    } else if (still_readings < EASE_STILL_READINGS) {
-        still_readings++;
-    } else if (hold_pct < EASE_HOLD_PCT) {
-        hold_pct++;
+    if (table_pct < hold_pct) {
+        table_pct = hold_pct;
     }
-    return table_pct > hold_pct ? table_pct : hold_pct;
+    return table_pct;
 }

@@ -20,20 +20,21 @@
 /* The end of the table is every law's reach. */
 #define LAW_FAR_MM ((uint16_t)(LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI))
 
-/* What is known of a target at a reading. */
-enum law_target {
-    LAW_TRACKED, /* it was there at the last good reading */
-    LAW_NEW,     /* it was not, but this is its second reading or a later one */
-    LAW_GLIMPSE, /* its first reading: it may only pass, so no table brakes for it yet */
-    LAW_ENTERED, /* the same, and LAW_ENTER_CS ago a reading saw a clear road */
+/* What a law says: percent, 0..100, and the cell that it looked into (0, 0: none). */
+struct law_answer {
+    uint8_t brake_pct;
+    uint8_t row, col;
 };
-#define LAW_ENTER_CS 6U
+extern __data struct law_answer law_answer; /* of the last law_step */
 
-/* One control step: percent, 0..100, for a target `dist_mm` away (enum law_target) that closes with
- * BRAKE_SPEED. A law with a table says in brake.row and brake.col where it looked, and brakes from
+/* Whatever it remembers of the target before: nothing. */
+void law_restart(void);
+
+/* One control step, for a target of that worth (target.h; not TARGET_NONE) at
+ * 0..LAW_FAR_MM + BRAKE_SLACK_FAR_MM that closes with CLOSING_LAW. A law with a table brakes from
  * the second reading of a target on: one alone may be a stray echo or something that only passes
  * (but see law_tuned.h). */
-uint8_t law_step(uint8_t target, uint16_t dist_mm);
+void law_step(uint8_t worth, uint16_t dist_mm);
 
 /* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past. */
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed);

@@ -3,10 +3,10 @@
  * closing speed: this car has no speedometer, so it knows no other. Once braking it goes on until
  * the gap is LAW_CLASSIC_RELEASE_MM more than safe. */
 #include <stdbool.h>
-#include "brake.h"
 #include "fixed.h"
 #include "law.h"
 #include "law_classic.h"
+#include "target.h"
 
 /* Factors for mul_hi_u16: n / 65536. */
 #define DELAY_FACTOR ((uint16_t)(65536UL * LAW_CLASSIC_DELAY_MS / 1000U))
@@ -33,14 +33,23 @@ uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
     return dist_mm < law_classic_safe_mm(speed->closing_mmps) ? 100 : 0;
 }
 
-uint8_t law_step(uint8_t target, uint16_t dist_mm)
+__data struct law_answer law_answer;
+
+void law_restart(void)
 {
-    uint16_t safe_mm = law_classic_safe_mm(BRAKE_SPEED.closing_mmps);
+    is_braking = false;
+}
+
+void law_step(uint8_t worth, uint16_t dist_mm)
+{
+    uint16_t safe_mm = law_classic_safe_mm(CLOSING_LAW.closing_mmps);
 
     if (dist_mm < safe_mm) {
         is_braking = true;
-    } else if (target != LAW_TRACKED || dist_mm > (uint16_t)(safe_mm + LAW_CLASSIC_RELEASE_MM)) {
+    } else if (worth != TARGET_TRACKED || dist_mm > (uint16_t)(safe_mm + LAW_CLASSIC_RELEASE_MM)) {
         is_braking = false;
     }
-    return is_braking ? 100 : 0;
+    law_answer.brake_pct = is_braking ? 100 : 0;
+    law_answer.row = 0;
+    law_answer.col = 0;
 }

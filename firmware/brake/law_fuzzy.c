@@ -1,34 +1,52 @@
 /* SPDX-License-Identifier: MIT */
 /* The table as published. */
-#include <stdbool.h>
-#include "brake.h"
-#include "cell.h"
 #include "law.h"
-#include "lut.h"
+#include "cell.h"
+#include "target.h"
 
-/* Nearer and faster cells are taken at once; further and slower ones only from BRAKE_SLACK_x cells
- * on, so that a noisy sensor at a constant gap does not make the brake chatter. */
-uint8_t law_step(uint8_t target, uint16_t dist_mm)
+/* How many cells further or slower the target must seem before the brake follows: for at most one
+ * step of more than 2 points a second at 2 cm of noise. */
+#if defined(ESTIMATOR_smooth)
+#define SLACK_ROWS 1U
+#define SLACK_COLS 0U
+#else
+#define SLACK_ROWS 2U
+#define SLACK_COLS 2U
+#endif
+
+static uint8_t held_row, held_col;
+
+__data struct law_answer law_answer;
+
+void law_restart(void)
 {
-    uint8_t row, col;
+    held_row = CELL_ROWS_LAST;
+    held_col = 0;
+}
 
-    if (target != LAW_TRACKED) { /* nothing to be held at */
-        brake.row = CELL_ROWS_LAST;
-        brake.col = 0;
+/* Nearer and faster cells are taken at once; further and slower ones only from the slack on, so
+ * that a noisy sensor at a constant gap does not make the brake chatter. */
+void law_step(uint8_t worth, uint16_t dist_mm)
+{
+    uint8_t row = cell_row(dist_mm),
+            col = cell_col(CLOSING_LAW.closing_mmps, CLOSING_LAW.opening_mmps);
+
+    if (worth != TARGET_TRACKED) { /* nothing to be held at */
+        law_restart();
     }
-    row = cell_row(dist_mm);
-    if (row <= brake.row) {
-        brake.row = row;
-    } else if ((uint8_t)(row - brake.row) > BRAKE_SLACK_ROWS) {
-        brake.row = (uint8_t)(row - BRAKE_SLACK_ROWS);
+    if (row <= held_row) {
+        held_row = row;
+    } else if ((uint8_t)(row - held_row) > SLACK_ROWS) {
+        held_row = (uint8_t)(row - SLACK_ROWS);
     }
-    col = cell_col(BRAKE_SPEED.closing_mmps, BRAKE_SPEED.opening_mmps);
-    if (col >= brake.col) {
-        brake.col = col;
-    } else if ((uint8_t)(brake.col - col) > BRAKE_SLACK_COLS) {
-        brake.col = (uint8_t)(col + BRAKE_SLACK_COLS);
+    if (col >= held_col) {
+        held_col = col;
+    } else if ((uint8_t)(held_col - col) > SLACK_COLS) {
+        held_col = (uint8_t)(col + SLACK_COLS);
     }
-    return target >= LAW_GLIMPSE ? 0 : cell_pct(brake.row, brake.col);
+    law_answer.row = held_row;
+    law_answer.col = held_col;
+    law_answer.brake_pct = worth < TARGET_NEW ? 0 : cell_pct(held_row, held_col);
 }
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)

@@ -2,43 +2,58 @@
 /* The tuned controller: a table with more gain on the closing speed, braking from the first reading
  * where that reading alone proves a speed, and ease.h for those who do not close. */
 #include "law_tuned.h"
-#include "brake.h"
 #include "cell.h"
 #include "ease.h"
 #include "law.h"
-#include "lut.h"
+#include "target.h"
 
-/* One reading ago the road was clear as far as the table goes, so the target came at least this
- * far. */
-static uint8_t first_sight(uint16_t dist_mm)
+__data struct law_answer law_answer;
+
+void law_restart(void)
 {
-    uint16_t came_mm = LAW_FAR_MM - dist_mm;
-    uint8_t pct;
-
-    if (came_mm > LAW_TUNED_FIRST_MM) {
-        return 0;
-    }
-    brake.col =
-        cell_col((uint16_t)(came_mm << 4), 0); /* in 1/16 s; it was LAW_ENTER_CS, a little less */
-    brake.row = cell_row(dist_mm);
-    pct = cell_pct(brake.row, brake.col);
-    return pct < LAW_TUNED_FIRST_PCT ? pct : LAW_TUNED_FIRST_PCT;
+    ease_restart();
 }
 
-uint8_t law_step(uint8_t target, uint16_t dist_mm)
+static void look_up(uint16_t dist_mm, uint16_t closing_mmps)
 {
-    if (target != LAW_TRACKED) {
-        ease_restart();
-        if (target == LAW_GLIMPSE) {
-            return 0;
-        }
-        if (target == LAW_ENTERED) {
-            return first_sight(dist_mm);
-        }
+    law_answer.col = cell_col(closing_mmps, CLOSING_LAW.opening_mmps);
+    law_answer.row = cell_row(dist_mm);
+    law_answer.brake_pct = cell_pct(law_answer.row, law_answer.col);
+}
+
+/* One reading ago, or two, the road was clear as far as the table goes, so the target came at least
+ * this far: in 1/16 s, or 1/8 s, a little more than it was. */
+static void look_at_first_sight(uint8_t worth, uint16_t dist_mm)
+{
+    uint16_t closing_mmps = (uint16_t)(LAW_FAR_MM - dist_mm);
+
+    if (worth == TARGET_GLIMPSE || closing_mmps > LAW_TUNED_FIRST_MM) {
+        return;
     }
-    brake.col = cell_col(BRAKE_SPEED.closing_mmps, BRAKE_SPEED.opening_mmps);
-    brake.row = cell_row(dist_mm);
-    return ease_pct(cell_pct(brake.row, brake.col), dist_mm);
+    closing_mmps <<= 3;
+    if (worth == TARGET_ENTERED) {
+        closing_mmps <<= 1;
+    }
+    look_up(dist_mm, closing_mmps);
+    if (worth == TARGET_ENTERED && law_answer.brake_pct > LAW_TUNED_FIRST_PCT) {
+        law_answer.brake_pct = LAW_TUNED_FIRST_PCT;
+    }
+}
+
+void law_step(uint8_t worth, uint16_t dist_mm)
+{
+    if (worth != TARGET_TRACKED) {
+        ease_restart();
+    }
+    if (worth >= TARGET_NEW) {
+        look_up(dist_mm, CLOSING_LAW.closing_mmps);
+        law_answer.brake_pct = ease_pct(law_answer.brake_pct, dist_mm);
+        return;
+    }
+    law_answer.brake_pct = 0;
+    law_answer.row = 0;
+    law_answer.col = 0;
+    look_at_first_sight(worth, dist_mm);
 }
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)

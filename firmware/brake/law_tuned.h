@@ -9,6 +9,6 @@
 
 /* One reading may be a stray one, so it brakes no harder than this: 25 m/s3 on a brake of 8 m/s2
  * with a lag of 0.2 s. */
-#define LAW_TUNED_FIRST_PCT 60U
+#define LAW_TUNED_FIRST_PCT 57U
 
 #endif

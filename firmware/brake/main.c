@@ -5,13 +5,14 @@
 #include "hal.h"
 #include "identity.h"
 #include "lamp.h"
+#include "law.h"
 #include "range.h"
 #include "selftest.h"
 #include "telemetry.h"
 
-#define CONTROL_MS 60U  /* the sensor's pace */
-#define SETTLE_MS  60U  /* from the brake's release after the self-test to the first measurement */
-#define IDLE_MS    100U /* an echo cut off by a reset is over by then */
+#define IDLE_MS 100U /* an echo cut off by a reset is over by then */
+
+#define TRIGGER_TICKS (RANGE_PERIOD_CS * 10U / HAL_TICK_MS)
 
 #if HAL_TICK_MS != 10
 #error a tick must be 10 ms: the brake counts in hundredths of a second
@@ -20,14 +21,14 @@
 static uint8_t tick; /* seen, as hal_ticks counts */
 static uint16_t seconds, milliseconds;
 
-static bool is_testing;    /* the self-test at boot runs */
+/* One bit that turns over does not start the self-test again, in which the brake does not act. */
+enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
+static uint8_t phase;      /* enum phase; any other value is PHASE_RUN */
 static uint8_t table_test; /* enum selftest */
 static uint8_t idle_wait;  /* ticks */
 
-static uint8_t until_trigger; /* ticks */
-static uint8_t triggered;     /* tick */
+static uint8_t triggered; /* tick of the last trigger */
 static bool is_measuring;
-static uint16_t dist_mm; /* measured last; 0: no echo */
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */
@@ -56,8 +57,7 @@ static void apply(void)
 /* One line a control step; dropped, and counted, when the one before is not out. */
 static void report(void)
 {
-    union telemetry_value __idata *value = telemetry_values;
-    uint16_t speed_mmps = BRAKE_SPEED.closing_mmps;
+    uint16_t speed_mmps = CLOSING_LAW.closing_mmps;
 
     if (!is_talking) {
         return;
@@ -66,41 +66,44 @@ static void report(void)
         dropped++;
         return;
     }
-    value[0].number = seq;
-    value[1].number = seconds;
-    value[2].number = milliseconds;
-    value[3].number = dist_mm;
-    value[4].text = "";
-    if (BRAKE_SPEED.opening_mmps != 0) {
-        value[4].text = "-";
-        speed_mmps = BRAKE_SPEED.opening_mmps;
+    telemetry_values[0].number = seq;
+    telemetry_values[1].number = seconds;
+    telemetry_values[2].number = milliseconds;
+    telemetry_values[3].number = 0; /* prints nothing */
+    if (range_reading.kind == RANGE_ECHO) {
+        telemetry_values[3].number = range_reading.dist_mm;
     }
-    value[5].number = speed_mmps;
-    value[6].number = brake.row;
-    value[7].number = brake.col;
-    value[8].number = brake.brake_pct;
-    value[9].text = STATES[brake.state];
-    value[10].number = brake.fault;
+    telemetry_values[4].text = "";
+    if (CLOSING_LAW.opening_mmps != 0) {
+        telemetry_values[4].text = "-";
+        speed_mmps = CLOSING_LAW.opening_mmps;
+    }
+    telemetry_values[5].number = speed_mmps;
+    telemetry_values[6].number = law_answer.row;
+    telemetry_values[7].number = law_answer.col;
+    telemetry_values[8].number = brake.brake_pct;
+    telemetry_values[9].text = STATES[brake.state];
+    telemetry_values[10].number = fault_code;
     telemetry_say(LINE);
 }
 
 /* From the end of the echo, or of the wait for it, to the pins. */
 static void control_step(uint8_t echo)
 {
+    uint8_t kind = RANGE_NOT_RISEN;
+    uint16_t dist_mm = 0;
+
     is_measuring = false;
-    if (echo == HAL_ECHO_DONE) {
+    if (echo == HAL_ECHO_NOT_FALLEN) {
+        kind = RANGE_NOT_FALLEN;
+    } else if (echo == HAL_ECHO_DONE) {
         dist_mm = range_mm(hal_echo_cycles());
-        echo = range_kind(dist_mm);
-    } else {
-        echo = echo == HAL_ECHO_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
+        kind = range_kind(dist_mm);
+        if (kind == RANGE_ECHO && brake_must_stop(dist_mm) && !brake.stop) {
+            hal_stop_set(true); /* before estimator and table, whatever they say */
+        }
     }
-    if (echo != RANGE_ECHO) {
-        dist_mm = 0;
-    } else if (brake_must_stop(dist_mm) && !brake.stop) {
-        hal_stop_set(true); /* before estimator and table, whatever they say */
-        hal_brake_set(100);
-    }
-    brake_step(echo, dist_mm);
+    brake_step(kind, dist_mm);
     apply();
     seq++; /* counted as soon as the duty is set: where benches look */
 }
@@ -124,22 +127,22 @@ static void poll(void)
 
 static void measure(void)
 {
-    uint8_t now = hal_ticks();
+    uint8_t elapsed_cs = (uint8_t)(tick - triggered);
 
+    triggered = tick;
     if (is_measuring) {
         conclude(hal_echo());
     }
     stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
     hal_trigger();
     is_measuring = true;
-    brake_expect((uint8_t)(now - triggered));
-    triggered = now;
+    brake_expect(elapsed_cs);
 }
 
 static void finish_selftest(uint8_t fault)
 {
-    is_testing = false;
-    until_trigger = SETTLE_MS / HAL_TICK_MS;
+    phase = PHASE_RUN;
+    triggered = tick; /* the first measurement comes a period after the brake's release */
     brake_init(fault);
     apply();
 }
@@ -172,8 +175,8 @@ static void show(void)
 {
     uint8_t pattern = LAMP_OFF;
 
-    if (brake.fault >= BRAKE_FAULT_TABLE) {
-        pattern = (uint8_t)(brake.fault - BRAKE_FAULT_TABLE + 2U);
+    if (fault_code >= BRAKE_FAULT_TABLE) {
+        pattern = (uint8_t)(fault_code - BRAKE_FAULT_TABLE + 2U);
     } else if (brake.state == BRAKE_FAULT) {
         pattern = LAMP_ON;
     } else if (brake.warn) {
@@ -214,7 +217,7 @@ static void title(void)
 static void status(void)
 {
     telemetry_values[0].text = STATES[brake.state];
-    telemetry_values[1].number = brake.fault;
+    telemetry_values[1].number = fault_code;
     telemetry_values[2].number = dropped;
     telemetry_values[3].number = stack_unused;
     telemetry_say(STATUS);
@@ -270,7 +273,8 @@ void main(void)
     hal_init();
 
     /* In any order. */
-    is_testing = true;
+    phase = PHASE_TEST;
+    brake_init(BRAKE_FAULT_NONE); /* nothing of it is at the pins before the self-test is over */
     is_talking = true;
     idle_wait = IDLE_MS / HAL_TICK_MS;
     command = 'v';
@@ -279,7 +283,7 @@ void main(void)
 
     for (;;) {
         /* Every round, less than a millisecond. */
-        if (is_testing) {
+        if (phase == PHASE_TEST) {
             test();
         }
         poll();
@@ -293,7 +297,7 @@ void main(void)
         /* Every 10 ms. */
         tick++;
         advance_clock();
-        if (is_testing) {
+        if (phase == PHASE_TEST) {
             idle_wait -= table_test != SELFTEST_RUNNING && idle_wait != 0;
         } else {
             brake_tick(hal_override_held());
@@ -305,8 +309,7 @@ void main(void)
             show();
 
             /* Every 60 ms. */
-            if (--until_trigger == 0) {
-                until_trigger = CONTROL_MS / HAL_TICK_MS;
+            if ((uint8_t)(tick - triggered) >= TRIGGER_TICKS) {
                 measure();
             }
         }

@@ -4,6 +4,7 @@
 #define FUZZY51_RANGE_H
 
 #include <stdint.h>
+#include "cc51.h"
 
 /* Speed of sound: 343.2 m/s at 20 C; 0.6 m/s more each degree. */
 #ifndef SOUND_MMPS
@@ -14,6 +15,10 @@
 #define RANGE_MIN_MM 20U
 #define RANGE_MAX_MM 6000U
 
+/* The time from one reading to the next, and how many of them come in a time. */
+#define RANGE_PERIOD_CS         6U
+#define RANGE_READINGS(time_cs) (((time_cs) + RANGE_PERIOD_CS / 2U) / RANGE_PERIOD_CS)
+
 /* A distance, a clear road, or one of the faults; never a distance that means something else. */
 enum range_kind {
     RANGE_ECHO,
@@ -22,6 +27,13 @@ enum range_kind {
     RANGE_NOT_FALLEN, /* its answer never ended */
     RANGE_DEAD_ZONE,  /* shorter than it can measure */
 };
+
+/* What the last measurement said; brake.c has it. */
+struct range_reading {
+    uint8_t kind;     /* enum range_kind */
+    uint16_t dist_mm; /* if that is RANGE_ECHO */
+};
+extern __data struct range_reading range_reading;
 
 /* The distance for a way there and back of 0..65535 ticks (machine cycles, 12 / CLK_HZ): in mm, at
  * most 1 mm off the exact quotient, never falling when ticks rise. At most 75 mc. */

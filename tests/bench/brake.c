@@ -78,7 +78,7 @@ static uint8_t next_echo(void)
 
     elapsed_cs = PLAIN_CS;
     if (what < 8) {
-        elapsed_cs = (uint8_t)(CLOSING_ELAPSED_MIN_CS + (chance() & 15));
+        elapsed_cs = (uint8_t)(CLOSING_SPAN_MIN_CS + (chance() & 15));
     }
     if (what >= 250) {
         return what & 1 ? HAL_ECHO_NOT_RISEN : HAL_ECHO_NOT_FALLEN;
@@ -112,14 +112,14 @@ uint16_t bench_step(uint16_t step)
     }
     drive();
     echo = next_echo();
-    pass_time();
     brake_expect(elapsed_cs);
+    pass_time();
     BENCH_START();
     control_step(echo);
     taken = BENCH_STOP();
     brake_finish();
     apply();
-    faults_seen |= 1U << brake.fault;
+    faults_seen |= 1U << fault_code;
     states_seen |= 1U << brake.state;
     return taken;
 }

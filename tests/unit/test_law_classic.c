@@ -6,11 +6,17 @@
 
 static struct closing_speed __data speed;
 
+static uint8_t brake_pct(uint8_t worth, uint16_t dist_mm)
+{
+    law_step(worth, dist_mm);
+    return law_answer.brake_pct;
+}
+
 void setUp(void)
 {
     closing_difference.closing_mmps = 0;
     closing_difference.opening_mmps = 0;
-    law_step(LAW_NEW, LAW_FAR_MM); /* not braking */
+    law_restart();
 }
 
 void tearDown(void)
@@ -70,20 +76,20 @@ static void test_opening_counts_as_standing(void)
 static void test_brakes_until_half_a_metre_more_than_safe(void)
 {
     closing_difference.closing_mmps = 2000;
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_TRACKED, 1950));
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_TRACKED, 1900));
+    TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_TRACKED, 1950));
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_TRACKED, 1900));
     closing_difference.closing_mmps = 0;
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_TRACKED, 1500));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_TRACKED, 1501));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_TRACKED, 1400));
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_TRACKED, 1500));
+    TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_TRACKED, 1501));
+    TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_TRACKED, 1400));
 }
 
 static void test_another_target_is_judged_afresh(void)
 {
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_NEW, 900));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_NEW, 1200));
-    TEST_ASSERT_EQUAL_UINT8(100, law_step(LAW_TRACKED, 900));
-    TEST_ASSERT_EQUAL_UINT8(0, law_step(LAW_ENTERED, 1200));
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_NEW, 900));
+    TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_NEW, 1200));
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_TRACKED, 900));
+    TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_ENTERED, 1200));
 }
 
 int main(void)

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include "unity.h"
 #include "brake.c"
+#include "latch.c"
 #include "law_none.c"
 #include "step.h"
 

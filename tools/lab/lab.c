@@ -10,8 +10,7 @@
 /* Peaks are sampled once a step, and the motion within one is exact. */
 enum { STEP_US = 5000 };
 
-/* 8 m/s2, 50 ms dead time, 0.2 s lag; 1 cm of noise, 2 % of the readings missing, 5 m of sight. */
-static struct scenario situation(double speed_mps, double duration_s)
+struct scenario lab_situation(double speed_mps, double duration_s)
 {
     struct scenario scenario;
     struct sensor *sensor = &brake_settings(&scenario)->sonar.sensor;
@@ -58,7 +57,7 @@ static double spread(int run)
 
 struct figures lab_standing(const struct image *image, double speed_mps, int runs)
 {
-    struct scenario scenario = situation(speed_mps, 20);
+    struct scenario scenario = lab_situation(speed_mps, 20);
     struct figures figures = {0};
 
     for (int run = 0; run < runs; run++) {
@@ -70,7 +69,7 @@ struct figures lab_standing(const struct image *image, double speed_mps, int run
 
 struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int runs)
 {
-    struct scenario scenario = situation(10, 12);
+    struct scenario scenario = lab_situation(10, 12);
     struct figures figures = {0};
 
     scenario.lead.gap_m = 5;
@@ -85,7 +84,7 @@ struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int
 
 struct figures lab_stop_and_go(const struct image *image, double driver_mps2, int runs)
 {
-    struct scenario scenario = situation(0, 120);
+    struct scenario scenario = lab_situation(0, 120);
     struct figures figures = {0};
 
     scenario.hold_s = SCENARIO_UNSET;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "image.h"
+#include "scenario.h"
 
 /* Of the runs of one situation. A gap of an impact counts below zero: what a brake of 8 m/s2 would
  * still have needed, v^2/16. */
@@ -15,6 +16,10 @@ struct figures {
     double gap_min_m, gap_mean_m, gap_short_m; /* short: mean of what is missing to 0.25 m */
     double jerk_worst_mps3, jerk_mean_mps3, decel_mean_mps2, rms_mps2, stuck_worst_s;
 };
+
+/* The ordinary scenario: a brake of 8 m/s2, 50 ms dead time and 0.2 s lag; 1 cm of noise, 2 % of
+ * the readings missing, 5 m of sight; a car ahead that stands; its gap is still to be set. */
+struct scenario lab_situation(double speed_mps, double duration_s);
 
 /* A standing car, first seen at 5 m; own driver keeps SPEED_MPS. */
 struct figures lab_standing(const struct image *image, double speed_mps, int runs);
@@ -28,6 +33,15 @@ struct figures lab_stop_and_go(const struct image *image, double driver_mps2, in
 
 /* Prints what the controllers come to. */
 void lab_print(FILE *out, const struct image *images, int count, int runs);
+
+/* Prints, for each controller, how often stray, missing and coarse readings make it hit or stop for
+ * good: ROUNDS runs of each situation. */
+void lab_print_trouble(FILE *out, const struct image *images, int count);
+
+/* Drives 10,000 scenarios of chance from SEED on and prints what nobody would expect of a brake.
+ * FIRST brakes fully at first sight, as a measure. Returns how many runs were flagged. */
+int lab_attack(FILE *out, const struct image *image, const struct image *first, long seed,
+               long runs);
 
 /* Looks for a table for IMAGE, which links law_tuned, that is at least as gentle as REFERENCE at
  * low speeds: ROUNDS steps from START. Writes the best to OUT. Returns EXIT_FINE, or EXIT_INPUT

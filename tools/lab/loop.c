@@ -34,8 +34,10 @@ struct loop {
     /* sensor */
     int64_t rise_ns, stop_ns, duty_ns;
     bool is_measuring, echo_level, has_risen;
+    bool is_unfinished; /* image->finish is due */
     bool held;
     uint8_t until_trigger;
+    struct loop_reading reading; /* the last one */
 };
 
 static void set_pin(struct loop *loop, int64_t t_ns, enum board_pin pin, bool *now, bool level)
@@ -73,12 +75,20 @@ static void apply(struct loop *loop, int64_t t_ns)
     }
 }
 
+static void finish(struct loop *loop)
+{
+    if (loop->is_unfinished) {
+        loop->is_unfinished = false;
+        loop->image->finish();
+    }
+}
+
 static void control_step(struct loop *loop, int64_t t_ns, uint8_t kind, uint16_t dist_mm)
 {
     loop->is_measuring = false;
-    loop->image->expect(TRIGGER_TICKS);
     loop->image->step(kind, dist_mm);
-    loop->image->finish();
+    loop->is_unfinished = true;
+    loop->reading = (struct loop_reading){loop->reading.count + 1, kind, dist_mm};
     loop->stop_ns = t_ns + STOP_NS;
     loop->duty_ns = t_ns + (kind == RANGE_ECHO ? DUTY_NS : CLEAR_NS);
 }
@@ -109,6 +119,7 @@ static void tick(struct loop *loop, int64_t t_ns)
 {
     bool high = true;
 
+    finish(loop);
     loop->image->tick(loop->held);
     if (loop->duty_ns == NEVER) {
         apply(loop, t_ns);
@@ -119,7 +130,9 @@ static void tick(struct loop *loop, int64_t t_ns)
     loop->until_trigger = TRIGGER_TICKS;
     if (loop->is_measuring) {
         control_step(loop, t_ns, loop->has_risen ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN, 0);
+        finish(loop);
     }
+    loop->image->expect(TRIGGER_TICKS);
     loop->is_measuring = true;
     loop->has_risen = loop->echo_level;
     if (t_ns > 0) { /* the first one begins the scenario */
@@ -146,7 +159,7 @@ static void take_inputs(struct loop *loop, int64_t t_ns)
 }
 
 /* Returns when the run was over. */
-static int64_t run_until(struct loop *loop, int64_t end_ns)
+static int64_t run_until(struct loop *loop, int64_t end_ns, loop_watch *watch, void *user)
 {
     int64_t job_ns = 0;
 
@@ -179,12 +192,20 @@ static int64_t run_until(struct loop *loop, int64_t end_ns)
             loop->stop_ns = NEVER;
         } else if (next_ns == loop->duty_ns) {
             apply(loop, next_ns);
+            finish(loop);
+            apply(loop, next_ns);
             loop->duty_ns = NEVER;
         } else if (next_ns == loop->interrupt_ns) {
             interrupt(loop);
         } else if (next_ns == job_ns) {
             tick(loop, next_ns);
             job_ns += PERIOD_NS;
+            if (watch != NULL) {
+                double values[WORLD_COLUMNS];
+
+                loop->class->values(loop->world, values);
+                watch(user, (double)next_ns * 1e-9, values, &loop->reading);
+            }
         }
     }
     loop->class->advance(loop->world, end_ns);
@@ -193,6 +214,12 @@ static int64_t run_until(struct loop *loop, int64_t end_ns)
 
 void loop_run(const struct image *image, const struct scenario *scenario, uint64_t seed,
               int step_us, struct outcome *outcome)
+{
+    loop_run_watched(image, scenario, seed, step_us, outcome, NULL, NULL);
+}
+
+void loop_run_watched(const struct image *image, const struct scenario *scenario, uint64_t seed,
+                      int step_us, struct outcome *outcome, loop_watch *watch, void *user)
 {
     static const bool levels[BOARD_OUTPUTS] = {
         [PIN_TRIGGER] = true, [PIN_LAMP] = true, [PIN_BUZZER] = true};
@@ -209,7 +236,8 @@ void loop_run(const struct image *image, const struct scenario *scenario, uint64
     loop.world = loop.class->create(scenario, seed, (int64_t)step_us * 1000);
     loop.class->start(loop.world, levels);
     loop.class->pin_changed(loop.world, 0, PIN_TRIGGER, true);
-    loop.class->measure(loop.world, run_until(&loop, (int64_t)llround(scenario->duration_s * 1e9)),
+    loop.class->measure(loop.world,
+                        run_until(&loop, (int64_t)llround(scenario->duration_s * 1e9), watch, user),
                         outcome);
     loop.class->destroy(loop.world);
 }

@@ -14,4 +14,19 @@
 void loop_run(const struct image *image, const struct scenario *scenario, uint64_t seed,
               int step_us, struct outcome *outcome);
 
+/* What the controller was told last. */
+struct loop_reading {
+    long count; /* of readings so far */
+    uint8_t kind;
+    uint16_t dist_mm;
+};
+
+/* Every 10 ms: the world's columns (RIG_COLUMN_NAMES), and the last reading. */
+typedef void loop_watch(void *user, double t_s, const double *values,
+                        const struct loop_reading *reading);
+
+/* The same, and WATCH looks on. */
+void loop_run_watched(const struct image *image, const struct scenario *scenario, uint64_t seed,
+                      int step_us, struct outcome *outcome, loop_watch *watch, void *user);
+
 #endif

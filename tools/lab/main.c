@@ -89,6 +89,7 @@ static const struct argp parser = {
     .options = options,
     .parser = take_option,
     .args_doc = "run CONTROLLER.so --scenario=FILE\nfigures CONTROLLER.so...\n"
+                "trouble CONTROLLER.so...\nattack FIRST.so CONTROLLER.so...\n"
                 "tune TUNED.so REFERENCE.so -o FILE.fis",
     .doc =
         "Runs the firmware's control logic on this machine in drive's own world.\vrun prints what "
@@ -136,6 +137,8 @@ int main(int argc, char **argv)
     count_of_images = arguments.word_count - 1;
     if (!(strcmp(command, "run") == 0 && count_of_images == 1 && arguments.scenario != NULL) &&
         !(strcmp(command, "figures") == 0 && count_of_images >= 1) &&
+        !(strcmp(command, "trouble") == 0 && count_of_images >= 1) &&
+        !(strcmp(command, "attack") == 0 && count_of_images >= 2) &&
         !(strcmp(command, "tune") == 0 && count_of_images == 2 && arguments.output != NULL)) {
         diag_error(
             NULL, 0,
@@ -154,6 +157,19 @@ int main(int argc, char **argv)
         return lab_tune(&images[0], &images[1],
                         arguments.seed >= 0 ? (unsigned long)arguments.seed : 1, arguments.rounds,
                         arguments.output);
+    }
+    if (strcmp(command, "trouble") == 0) {
+        lab_print_trouble(stdout, images, count_of_images);
+        return EXIT_FINE;
+    }
+    if (strcmp(command, "attack") == 0) {
+        int flags = 0;
+
+        for (int i = 1; i < count_of_images; i++) {
+            flags += lab_attack(stdout, &images[i], &images[0],
+                                arguments.seed >= 0 ? arguments.seed : 1, arguments.runs);
+        }
+        return flags == 0 ? EXIT_FINE : EXIT_INPUT;
     }
     lab_print(stdout, images, count_of_images, (int)arguments.runs);
     return EXIT_FINE;

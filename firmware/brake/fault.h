@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* FAULT: when the readings cannot be believed, or the machine itself cannot. Portable.
+ *
+ *   state     believed reading     reading not believed   180 ms without    a lasting fault
+ *                                                         a believed one
+ *   GOOD      GOOD                 GOOD, code: why        FAULT             LASTING
+ *   FAULT     GOOD with the third  FAULT, code: why       FAULT             LASTING
+ *             in a row, else FAULT
+ *   LASTING   LASTING              LASTING                LASTING           LASTING
+ *
+ * It starts in GOOD, after a watchdog reset in FAULT, after a failed self-test in LASTING. */
+#ifndef FUZZY51_FAULT_H
+#define FUZZY51_FAULT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "cc51.h"
+#include "range.h"
+
+/* In the order of docs/brake.md. From BRAKE_FAULT_TABLE on they last until the next start. */
+enum brake_fault {
+    BRAKE_FAULT_NONE,
+    BRAKE_FAULT_NOT_RISEN,  /* no echo pulse at all */
+    BRAKE_FAULT_NOT_FALLEN, /* the echo pulse never ends */
+    BRAKE_FAULT_DEAD_ZONE,  /* nearer than the sensor can measure */
+    BRAKE_FAULT_JUMP,       /* an echo that fits no target */
+    BRAKE_FAULT_STUCK,      /* the same reading while the target moves */
+    BRAKE_FAULT_LOST,       /* a near target vanished */
+    BRAKE_FAULT_WATCHDOG,   /* this start was a watchdog reset */
+    BRAKE_FAULT_TABLE,      /* self-test: check sum of the table */
+    BRAKE_FAULT_RAM,        /* self-test: pattern in RAM */
+    BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
+    BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */
+};
+
+/* Three periods of the sensor without a believed reading, and how many such readings in a row end
+ * FAULT. */
+#define FAULT_SILENCE_CS    (3U * RANGE_PERIOD_CS)
+#define FAULT_GOOD_READINGS 3U
+
+enum fault_state { FAULT_GOOD, FAULT_ON, FAULT_LASTING };
+extern uint8_t fault_state;
+
+/* Why, or what is wrong with the last reading: enum brake_fault. */
+extern uint8_t fault_code;
+
+/* Starts with BRAKE_FAULT_NONE, _WATCHDOG or one of the lasting ones. */
+void fault_init(uint8_t code);
+
+/* A reading came: BRAKE_FAULT_NONE if it is believed, else why not. Up to 40 mc. */
+void fault_take(uint8_t trouble);
+
+/* Every 1/100 s. True: FAULT begins now. */
+bool fault_tick(void);
+
+/* One of the lasting faults was found. True: it is the first of them. */
+bool fault_fail(uint8_t code);
+
+#endif

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+/* STOP: full brake at 1 m or less, until it is sure that it may end. Portable.
+ *
+ * TRIAL is STOP for one reading that nothing has confirmed: it may be a stray echo. DOUBTED is
+ * the same, contradicted once. HELD is confirmed. OPENING is HELD, and the target has opened once.
+ * In every state but OPEN the STOP pin is high and the brake is 100 %.
+ *
+ *   state     override  echo <= 1 m   echo <= 1.3 m  opening  echo beyond   passed  clear    road
+ * fault (if tracked)                          (if tracked) OPEN      OPEN      TRIAL (HELD)  OPEN
+ * OPEN     OPEN          OPEN    OPEN     OPEN   OPEN TRIAL     OPEN      HELD          HELD OPEN
+ * DOUBTED(OPEN) OPEN    DOUBTED  OPEN   TRIAL DOUBTED   OPEN      HELD          HELD           OPEN
+ * OPEN          OPEN    OPEN     OPEN   DOUBTED HELD      OPEN      HELD          HELD OPENING HELD
+ * OPEN    HELD     OPEN   HELD OPENING   OPEN      HELD          HELD           OPEN     HELD OPEN
+ * OPENING  OPEN   OPENING
+ *
+ *   override  the driver has held it for a second
+ *   tracked   the reading is believed as the third or a later one of its target
+ *   opening   tracked, beyond 1.3 m, opening at more than LATCH_OPENING_MMPS
+ *   passed    another target than that of STOP is tracked beyond 1.3 m, for LATCH_PASSED_READINGS
+ *   road      the last LATCH_ROAD_READINGS were clear, every one of them
+ *   fault     no echo, and no clear road either */
+#ifndef FUZZY51_LATCH_H
+#define FUZZY51_LATCH_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "cc51.h"
+#include "range.h"
+
+#ifndef BRAKE_STOP_MM /* 0: never */
+#define BRAKE_STOP_MM 1000U
+#endif
+#define LATCH_NEAR_MM         1300U
+#define LATCH_OPENING_MMPS    200U
+#define LATCH_PASSED_READINGS RANGE_READINGS(100U)
+#define LATCH_ROAD_READINGS   RANGE_READINGS(200U)
+
+enum latch_state { LATCH_OPEN, LATCH_TRIAL, LATCH_DOUBTED, LATCH_HELD, LATCH_OPENING };
+#define LATCH_STATES 5U
+extern uint8_t latch_state;
+
+void latch_init(void);
+
+/* range_reading came; is_of_target: it is one of the target of target.h. Up to 120 mc. */
+void latch_take(bool is_of_target);
+
+/* The driver has the brake. */
+void latch_override(void);
+
+#endif

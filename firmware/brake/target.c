@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/* The target and the one echo aside. */
+#include "target.h"
+#include "fault.h"
+#include "fixed.h"
+
+uint8_t target_worth;
+
+/* Too long for the place of a target to say where it is now. */
+#define LONG_AGO_CS (TARGET_SILENCE_MAX_CS + 1U)
+
+static uint8_t since_cs;       /* the target's last reading */
+static uint8_t since_aside_cs; /* the echo aside; LONG_AGO_CS: there is none */
+static uint16_t aside_mm;
+
+static __bit was_clear; /* the last reading */
+static __bit is_moving; /* the target cannot have come to rest */
+static __bit was_near;  /* the target, when it was tracked last */
+
+static uint8_t stuck_readings; /* so many more are stuck at most; 0: none is */
+static uint8_t clears;         /* since the target was seen */
+
+static uint16_t echo_mm; /* this reading */
+
+/* Whatever comes next is another target. */
+static void drop(void)
+{
+    target_worth = TARGET_NONE;
+    stuck_readings = 0;
+    closing_restart();
+}
+
+static void set_target_aside(void)
+{
+    aside_mm = closing_place_mm;
+    since_aside_cs = since_cs;
+}
+
+void target_init(void)
+{
+    closing_place_mm = 0;
+    since_cs = LONG_AGO_CS;
+    set_target_aside();
+    drop();
+    was_clear = false;
+    is_moving = false;
+    was_near = false;
+    clears = 0;
+}
+
+static uint8_t later_cs(uint8_t time_cs, uint8_t elapsed_cs)
+{
+    time_cs += elapsed_cs;
+    return time_cs > LONG_AGO_CS ? LONG_AGO_CS : time_cs;
+}
+
+/* A speed in units of 256 mm/s; of its magnitudes one is 0. */
+#define HIGH(speed)                                                                                \
+    ((uint8_t)((uint8_t)(speed.closing_mmps >> 8) | (uint8_t)(speed.opening_mmps >> 8)))
+
+static bool may_not_rest(void)
+{
+    uint8_t least = (uint8_t)(closing_span_cs >> 2) + TARGET_STUCK;
+
+    if (HIGH(closing_difference) < least) {
+        return false;
+    }
+    return HIGH(closing_smooth) >= TARGET_STUCK_SMOOTH;
+}
+
+void target_expect(uint8_t elapsed_cs)
+{
+    if (elapsed_cs < CLOSING_SPAN_MIN_CS) {
+        elapsed_cs = CLOSING_SPAN_MIN_CS;
+    }
+    if (elapsed_cs > LONG_AGO_CS) {
+        elapsed_cs = LONG_AGO_CS;
+    }
+    since_cs = later_cs(since_cs, elapsed_cs);
+    since_aside_cs = later_cs(since_aside_cs, elapsed_cs);
+    is_moving = false;
+    if (stuck_readings != 0) {
+        stuck_readings--;
+        if (stuck_readings == 0 || stuck_readings >= TARGET_REST_READINGS) {
+            drop();
+        }
+    } else if (target_worth != TARGET_NONE) {
+        if (since_cs == LONG_AGO_CS) {
+            drop();
+        } else if (target_worth >= TARGET_NEW) {
+            is_moving = may_not_rest();
+            closing_expect(since_cs);
+        }
+    }
+}
+
+/* Whether wheels can bring a target from that place to the echo in 0..LONG_AGO_CS. */
+static bool can_reach(uint16_t place_mm, uint8_t time_cs)
+{
+    uint16_t nearer_mm = (uint16_t)(mul_u8(time_cs, TARGET_NEARER_MM_PER_CS / 2U) << 1);
+
+    return (uint16_t)(echo_mm - place_mm + nearer_mm) <=
+           (uint16_t)(nearer_mm + mul_u8(time_cs, TARGET_AWAY_MM_PER_CS));
+}
+
+/* What the echo makes of the target; TARGET_NONE: it is neither the target's nor another one's. */
+static uint8_t judge(void)
+{
+    uint16_t gate_mm = (uint16_t)(mul_u8(since_cs, TARGET_GATE_MM_PER_CS) + TARGET_GATE_MM);
+    uint16_t off_mm = (uint16_t)(echo_mm - closing_foreseen_mm + gate_mm);
+    __bit is_nearer = (uint8_t)(off_mm >> 8) >= 0x80U;
+
+    gate_mm = (uint16_t)(gate_mm << 1);
+    if (target_worth >= TARGET_NEW && off_mm <= gate_mm) {
+        return TARGET_TRACKED;
+    }
+    if (since_aside_cs != LONG_AGO_CS && can_reach(aside_mm, since_aside_cs)) {
+        off_mm = (uint16_t)(echo_mm - aside_mm + TARGET_LIKELY_MM);
+        if (target_worth == TARGET_NONE || target_worth >= TARGET_NEW ||
+            (since_aside_cs < since_cs && off_mm <= 2U * TARGET_LIKELY_MM)) {
+            closing_place_mm = aside_mm;
+            since_cs = since_aside_cs;
+            return TARGET_NEW;
+        }
+    }
+    switch (target_worth) {
+    case TARGET_NONE:
+        if (was_clear) {
+            return TARGET_ENTERED;
+        }
+        return TARGET_GLIMPSE;
+    case TARGET_ENTERED:
+        off_mm = closing_place_mm + TARGET_BEHIND_MM;
+        if (off_mm < echo_mm) {
+            return TARGET_ENTERED_LATE;
+        }
+        break;
+    case TARGET_NEW:
+        if (is_nearer) {
+            break;
+        }
+        return TARGET_NONE;
+    case TARGET_TRACKED:
+        return TARGET_NONE;
+    }
+    if (can_reach(closing_place_mm, since_cs)) {
+        return TARGET_NEW;
+    }
+    return TARGET_NONE;
+}
+
+/* A reading that stays the same though the target moves is stuck; a stuck target that moves on is
+ * another one. */
+static bool is_stuck(void)
+{
+    if (echo_mm != closing_place_mm) {
+        if (stuck_readings != 0) {
+            stuck_readings = 0;
+            target_worth = TARGET_NONE;
+        }
+        return false;
+    }
+    if (is_moving) {
+        stuck_readings = TARGET_REST_READINGS;
+    }
+    return stuck_readings != 0;
+}
+
+uint8_t target_echo(uint16_t dist_mm)
+{
+    uint8_t worth;
+
+    echo_mm = dist_mm;
+    if (is_stuck()) {
+        return BRAKE_FAULT_STUCK;
+    }
+    worth = judge();
+    was_clear = false;
+    if (worth == TARGET_NONE) {
+        aside_mm = echo_mm;
+        since_aside_cs = 0;
+        return BRAKE_FAULT_JUMP;
+    }
+    if (worth == TARGET_ENTERED_LATE) {
+        set_target_aside();
+    } else {
+        since_aside_cs = LONG_AGO_CS;
+    }
+    target_worth = worth;
+    if (worth == TARGET_TRACKED) {
+        closing_take(echo_mm, since_cs);
+        CLOSING_TAKE_FIRST();
+        was_near = false;
+    } else if (worth == TARGET_NEW) {
+        closing_take_second(echo_mm, since_cs);
+    } else {
+        closing_restart();
+    }
+    closing_place_mm = echo_mm;
+    since_cs = 0;
+    if (!was_near) {
+        clears = 0;
+    }
+    return BRAKE_FAULT_NONE;
+}
+
+uint8_t target_clear(void)
+{
+    uint8_t clears_to_end = TARGET_GLIMPSE_CLEARS;
+
+    was_clear = true;
+    if (target_worth >= TARGET_NEW) {
+        clears_to_end = TARGET_FAR_CLEARS;
+        if (target_worth == TARGET_TRACKED &&
+            (int8_t)(closing_foreseen_mm >> 8) < (int8_t)(TARGET_NEAR_MM >> 8)) {
+            was_near = true;
+        }
+    }
+    if (was_near) {
+        clears_to_end = TARGET_NEAR_CLEARS;
+    }
+    clears++;
+    if (clears < clears_to_end) {
+        return was_near ? BRAKE_FAULT_LOST : BRAKE_FAULT_NONE;
+    }
+    if (target_worth != TARGET_NONE) {
+        set_target_aside();
+        drop();
+    }
+    was_near = false;
+    clears = 0;
+    return BRAKE_FAULT_NONE;
+}
+
+void target_missing(void)
+{
+    was_clear = false;
+}

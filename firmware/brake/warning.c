@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* The warning. */
+#include "warning.h"
+#include "target.h"
+
+static uint8_t left_readings; /* until it ends; 0: it is off */
+
+void warning_init(void)
+{
+    left_readings = 0;
+}
+
+bool warning_take(bool has_reason)
+{
+    if (has_reason) {
+        left_readings = WARNING_CALM_READINGS;
+    } else if (target_worth == TARGET_NONE || left_readings > WARNING_CALM_READINGS) {
+        left_readings = 0;
+    } else if (left_readings != 0) {
+        left_readings--;
+    }
+    return left_readings != 0;
+}
