@@ -14,10 +14,10 @@ expect eval_shows_the_rules_that_fire 0 $'86.28104575\n% 1 tables/brake.fis:56: 
 expect eval_shows_or_and_not 0 "% 0.0198 tests/golden/asym.fis:53: if first is not middle and second is not slow then left is down, right is not on" "" bash -c "$fistab eval --rules tests/golden/asym.fis -1 30 | tail -1"
 expect eval_warns_outside_the_range 0 83.71717172 "distance_m = 0.5 is outside its range of 1 to 5" $fistab eval tables/brake.fis 0.5 10
 expect eval_warns_where_no_rule_fires 0 50 "no rule fires for 'brake_pct'; the answer is the middle of its range" $fistab eval tables/brake.fis 9 10
-expect eval_counts_numbers 1 "" "brake.fis: error: give 2 numbers, not 1; the system has so many inputs" $fistab eval tables/brake.fis 3
-expect eval_refuses_words 1 "" "'ten' is not a number" $fistab eval tables/brake.fis 3 ten
-expect eval_refuses_infinity 1 "" "'inf' is not a number" $fistab eval tables/brake.fis 3 inf
-expect eval_names_the_line_of_stdin 1 86.28104575 "stdin:2: error: give 2 numbers, not 1; the system has so many inputs" bash -c "printf '3 10\n3\n' | $fistab eval tables/brake.fis"
+expect eval_counts_numbers 2 "" "brake.fis: error: give 2 numbers, one for each input, not 1" $fistab eval tables/brake.fis 3
+expect eval_refuses_words 2 "" "'ten' is not a number" $fistab eval tables/brake.fis 3 ten
+expect eval_refuses_infinity 2 "" "'inf' is not a number" $fistab eval tables/brake.fis 3 inf
+expect eval_names_the_line_of_stdin 1 86.28104575 "stdin:2: error: give 2 numbers, one for each input, not 1" bash -c "printf '3 10\n3\n' | $fistab eval tables/brake.fis"
 expect eval_names_long_lines_of_stdin 1 "" "stdin:1: error: more than 2 numbers" bash -c "echo 3 10 4 | $fistab eval tables/brake.fis"
 expect eval_of_a_missing_file 1 "" "no_such.fis: error: cannot read: No such file" $fistab eval no_such.fis 1
 expect eval_of_a_folder 1 "" "tables: error: cannot read: Is a directory" $fistab eval tables 1
@@ -37,7 +37,7 @@ expect no_file 2 "" "Usage: fistab eval" $fistab eval
 expect unknown_option 2 "" "unrecognized option '--sample-count" $fistab eval --sample-count=3 tables/brake.fis
 expect samples_too_few 2 "" "--samples=1: give a whole number from 2 to 100001" $fistab eval --samples=1 tables/brake.fis 3 10
 expect samples_no_number 2 "" "--samples=many" $fistab eval --samples=many tables/brake.fis 3 10
-expect grid_no_numbers 2 "" "--grid=10by10: give one number an input" $fistab table --grid=10by10 tables/brake.fis
+expect grid_no_numbers 2 "" "--grid=10by10: give a number for each input" $fistab table --grid=10by10 tables/brake.fis
 expect grid_of_zero 2 "" "--grid=0x10" $fistab table --grid=0x10 tables/brake.fis
 expect grid_for_other_inputs 2 "" "--grid has 3 numbers, but the system has 2 inputs" $fistab table --grid=10x10x10 tables/brake.fis
 expect levels_too_many 2 "" "--levels=256: give a whole number from 1 to 255" $fistab table --levels=256 tables/brake.fis
@@ -45,7 +45,7 @@ expect name_no_identifier 2 "" "--name=3d: give a C identifier" $fistab table --
 expect encoding_unknown 2 "" "--encoding=zip" $fistab table --encoding=zip tables/brake.fis
 expect law_unreadable 2 "" "--monotone=up" $fistab check --monotone=up tables/brake.fis
 expect law_of_other_inputs 2 "" "names input 3, but the system has 2 inputs" $fistab check --monotone=-1,+3 tables/brake.fis
-expect two_files 2 "" "one FILE.fis at a time; 'tables/gap.fis' is one too many" $fistab check tables/brake.fis tables/gap.fis
+expect two_files 2 "" "one FILE at a time; 'tables/gap.fis' is one too many" $fistab check tables/brake.fis tables/gap.fis
 
 # --- check
 expect brake_breaks_the_law 1 "" "(monotone) 'brake_pct' breaks -1,+2 between 650 pairs of neighbours; worst, it is 77 at distance_m = 4.98" $fistab check --monotone=-1,+2 tables/brake.fis
@@ -103,11 +103,111 @@ C
     gcc -std=c11 -Wall -Wextra -Wconversion -Werror -c "$out/lut.c" -o "$out/lut.o" 2>&1
     sdcc -mmcs51 --std-c11 --model-small --Werror -c "$out/lut.c" -o "$out/lut.rel" 2>&1
 }
-faultless header_of_one_input "$(header_of 1)"
-faultless header_of_two_inputs "$(header_of 2 --grid=7x3 --levels=255)"
+faultless header_of_one_input "$(header_of 1 --target=c)"
+faultless header_of_two_inputs "$(header_of 2 --target=c --grid=7x3 --levels=255)"
 faultless header_of_three_inputs "$(header_of 3 --grid=5x4x3)"
-faultless header_of_four_inputs "$(header_of 4 --grid=2x3x4x5 --nodes)"
-faultless header_of_five_inputs_is_refused "$(header_of 5 2>&1 | grep -q '5 inputs; a table has at most 4' || echo 'not refused')"
+faultless header_of_four_inputs "$(header_of 4 --target=c --grid=2x3x4x5 --nodes)"
+faultless header_of_five_inputs_is_refused "$(header_of 5 --target=c 2>&1 | grep -q '5 inputs; a table has at most 4' || echo 'not refused')"
+
+# What firmware/lib/lut.c cannot look up is refused, with a way out.
+fits_lut() { # NAME MESSAGE COMMAND...: refused as a header, but fine for --target=c and as CSV
+    local name=$1 message=$2
+    shift 2
+    refuses "$name" 1 "$message" "$@" -o "$out/lut.h"
+    faultless "${name}_leaves_nothing" "$(ls "$out/lut.h" 2>/dev/null)"
+    check "${name}_for_other_programs" "$@" --target=c -o "$out/any.h"
+    check "${name}_as_csv" "$@" "--csv=$out/any.csv"
+}
+fits_lut two_outputs "2 outputs, but the firmware's look-up takes 1 of a table with 2 inputs; make a system for each output, or give --target=c" $fistab table tests/good/two_outputs.fis
+fits_lut four_inputs "4 inputs, but the firmware's look-up takes at most 3; give --target=c" $fistab table "$out/inputs4.fis" --grid=2x2x2x2
+fits_lut wide_grid "257 cells along 'closing_mps', but the firmware's look-up takes at most 256" $fistab table tables/brake.fis --grid=10x257
+fits_lut large_table "a table of 65536 bytes leaves no room for a program" $fistab table tables/brake.fis --grid=256x256
+refuses target_unknown 2 "--target=avr: give lut or c" $fistab table --target=avr tables/brake.fis
+
+# --- a law for each output
+rises() { # COLUMN FILE.csv: does the column rise all the way within each row of the table?
+    awk -F, -v c="$1" 'NR > 2 && $1 == row && $c < last { bad++ } { row = $1; last = $c } END { exit bad > 0 }' "$2"
+}
+$fistab table tests/golden/asym.fis --repair=1:+2 --csv="$out/one.csv" 2>"$out/one.err"
+$fistab table tests/golden/asym.fis --csv="$out/none.csv"
+check repair_of_one_output rises 3 "$out/one.csv"
+faultless repair_leaves_the_other_output "$(diff <(cut -d, -f4 "$out/one.csv") <(cut -d, -f4 "$out/none.csv") | head -3)"
+refuses repair_of_an_output_that_is_not_there 2 "--repair=3:+1 names output 3, but the system has 2 outputs" $fistab table tests/golden/asym.fis --repair=3:+1
+refuses monotone_names_the_output 1 "\`fistab table --repair=2:-1\` mends the table" $fistab check tests/golden/asym.fis --monotone=2:-1
+
+# --- files: nothing is destroyed
+cp tables/brake.fis "$out/my.fis"
+ln -s my.fis "$out/link.fis"
+ln "$out/my.fis" "$out/hard.fis"
+for output in my.fis link.fis hard.fis ./../test_fistab/my.fis; do
+    for command in table plot convert; do
+        case $command in plot) [ "$output" = my.fis ] || continue; name=$out/plot.svg; ln -f "$out/my.fis" "$name" ;; *) name=$out/$output ;; esac
+        refuses "${command}_on_its_input_$output" 1 "the output would overwrite the input" $fistab $command "$out/my.fis" -o "$name"
+    done
+    refuses "csv_on_its_input_$output" 1 "the output would overwrite the input" $fistab table "$out/link.fis" "--csv=$out/$output"
+done
+faultless the_input_is_whole "$(cmp tables/brake.fis "$out/my.fis")"
+refuses two_outputs_in_one_file 1 "two outputs go to this one file" $fistab table tables/brake.fis -o "$out/x.h" "--csv=$out/x.h"
+ln -s x.h "$out/x.csv"
+refuses two_outputs_by_a_link 1 "two outputs go to this one file" $fistab table tables/brake.fis -o "$out/x.h" "--csv=$out/x.csv"
+refuses empty_output_name 1 "the name of an output file is empty" $fistab table tables/brake.fis -o ''
+$fistab table tables/brake.fis >"$out/plain.h"
+ln -s plain_target.h "$out/to_nothing.h"
+check a_link_to_nothing $fistab table tables/brake.fis -o "$out/to_nothing.h"
+faultless a_link_stays_a_link "$([ -L "$out/to_nothing.h" ] || echo 'no link any more'; cmp "$out/plain.h" "$out/plain_target.h")"
+chmod 640 "$out/plain_target.h"
+check a_link_to_a_file $fistab table tables/brake.fis -o "$out/to_nothing.h"
+faultless a_file_keeps_its_mode "$([ "$(stat -c %a "$out/plain_target.h")" = 640 ] || stat -c %a "$out/plain_target.h")"
+{ echo before; $fistab table tables/brake.fis -o /dev/stdout; echo after; } >"$out/stdout.h"
+faultless dev_stdout_is_stdout "$({ echo before; cat "$out/plain.h"; echo after; } | cmp - "$out/stdout.h"; [ -L /dev/stdout ] || echo 'no link any more')"
+check descriptor_3 bash -c "$fistab table tables/brake.fis -o /dev/fd/3 3>'$out/three.h' && cmp '$out/plain.h' '$out/three.h'"
+refuses a_full_disk 1 "cannot write: No space left on device" $fistab table tables/brake.fis -o /dev/full
+mkdir "$out/signals"
+for signal in INT TERM HUP; do
+    mkfifo "$out/pipe"
+    # The header cannot be finished as nobody reads the CSV: so the signal finds the temporary file there.
+    # The shell starts a background program with SIGINT ignored, and env puts that right.
+    env --default-signal=$signal timeout --foreground 30 $fistab table tables/brake.fis -o "$out/signals/x.h" "--csv=$out/pipe" &
+    victim=$!
+    exec 8<>"$out/pipe"
+    for ((i = 0; i < 500; i++)); do [ -z "$(ls "$out/signals")" ] || break; sleep 0.01; done
+    faultless "the_file_is_begun_before_SIG$signal" "$([ -n "$(ls "$out/signals")" ] || echo 'no temporary file yet')"
+    kill -$signal $victim
+    wait $victim
+    say "SIG${signal}_ends_it" "$([ $? -gt 128 ]; echo $?)"
+    exec 8>&-
+    faultless "SIG${signal}_leaves_nothing" "$(ls "$out/signals")"
+    rm "$out/pipe"
+done
+
+# --- messages
+system_with() { # SED-SCRIPT: brake.fis, changed
+    sed "$1" tables/brake.fis >"$out/changed.fis"
+    echo "$out/changed.fis"
+}
+refuses only_input_2 1 "[Input1] is missing; number the sections from 1 on" $fistab check "$(system_with '/\[Input1\]/,/^$/d;s/NumInputs=2/NumInputs=1/')"
+refuses wrong_defuzz_method 1 "changed.fis:$(grep -n DefuzzMethod tables/brake.fis | cut -d: -f1): error: DefuzzMethod 'wtaver' is not for Type 'mamdani'" $fistab check "$(system_with "s/^DefuzzMethod=.*/DefuzzMethod='wtaver'/")"
+expect rules_behind_negative_numbers 0 '*' "" $fistab eval tests/golden/asym.fis -2 10 --rules
+refuses quote_too_many 1 "two quotes '' are one quote inside a name" $fistab check "$(system_with "s/^MF1='very_near'/MF1='very_near''/")"
+refuses an_expression 1 "expected a number such as 12.5, found '2*5'" $fistab check "$(system_with 's/^Range=\[1 5\]/Range=[1 2*5]/')"
+printf 'MATLAB 5.0 MAT-file, Platform: GLNXA64\0\1\2' >"$out/fis.mat"
+refuses a_workspace 1 "is a workspace of MATLAB's (.mat), not a .fis; in MATLAB write the system by writefis(fis, 'name')" $fistab check "$out/fis.mat"
+refuses a_grid_beyond_numbers 2 "a grid has at most 16777216 cells" $fistab table --grid=99999999999x1 tables/brake.fis
+refuses plot_without_rules 1 "no rule gives an output here, so there is no surface; add rules, or draw the sets alone by --sets" $fistab plot "$(system_with '/^\[Rules\]/,$d;s/^NumRules=.*/NumRules=0/')" -o "$out/empty.svg"
+expect sugeno_range_of_nothing_is_fine 0 "" "" $fistab check tests/good/sugeno_range_0_0.fis
+refuses sugeno_range_of_nothing_is_no_table 1 "is [0 0]; a table needs a range that its values fill" $fistab table tests/good/sugeno_range_0_0.fis
+
+# --- help, manual page and completion name every option
+for command in eval check table plot convert; do
+    $fistab $command --help | grep -oE -- '--[a-z-]+' | sort -u >"$out/in_help"
+    $fistab --man | sed 's/\\-/-/g' | sed -n "/^.SH ${command^^}/,/^.SH [^${command:0:1}]/p" | grep -oE '^.B .*--[a-z-]+' | grep -oE -- '--[a-z-]+' |
+        sort -u >"$out/in_manual"
+    words=$(bash -c "source <($fistab --completion); COMP_WORDS=(fistab $command --); COMP_CWORD=2; _fistab; printf '%s\n' \"\${COMPREPLY[@]}\"")
+    faultless "manual_of_$command" "$(grep -vE -- '^--(help|usage|version)$' "$out/in_help" | diff - "$out/in_manual")"
+    faultless "completion_of_$command" "$(grep -v -- --usage "$out/in_help" | diff - <(tr -d = <<<"$words" | sort -u))"
+done
+expect completion_of_commands 0 convert "" bash -c "source <($fistab --completion); COMP_WORDS=(fistab co); COMP_CWORD=1; _fistab; echo \"\${COMPREPLY[@]}\""
+check help_shows_an_example bash -c "$fistab --help | grep -q 'fistab table heater.fis --grid=32x32 -o heater.h'"
 
 # --- limits: an answer or a message, within seconds of processor time
 # quick NAME SECONDS STATUS STDERR COMMAND...

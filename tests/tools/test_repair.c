@@ -310,16 +310,20 @@ static void test_that_the_brakes_table_of_255_levels_is_the_nearest_one(void)
 static void test_that_the_brakes_repair_is_as_small_as_the_study_says(void)
 {
     struct repair_report report;
-    struct law law, along;
+    static struct laws laws;
+    const struct law *law;
 
     make_brake(100);
-    TEST_ASSERT_TRUE(law_parse("-1", &along));
-    TEST_ASSERT_EQUAL(337, repair_violations(table.cell[0], brake_dims, 2, along.direction, NULL));
-    TEST_ASSERT_TRUE(law_parse("+2", &along));
-    TEST_ASSERT_EQUAL(313, repair_violations(table.cell[0], brake_dims, 2, along.direction, NULL));
-    TEST_ASSERT_TRUE(law_parse("-1,+2", &law));
+    TEST_ASSERT_TRUE(laws_add(&laws, "1:-1"));
+    TEST_ASSERT_TRUE(laws_add(&laws, "2:+2"));
+    TEST_ASSERT_TRUE(laws_add(&laws, "-1,+2"));
+    law = laws_of(&laws, 0);
+    TEST_ASSERT_EQUAL(337, repair_violations(table.cell[0], brake_dims, 2, law->direction, NULL));
+    law = laws_of(&laws, 1);
+    TEST_ASSERT_EQUAL(313, repair_violations(table.cell[0], brake_dims, 2, law->direction, NULL));
+    law = laws_of(&laws, 2);
 
-    TEST_ASSERT_EQUAL(0, repair_output(&table, 0, &law, &report));
+    TEST_ASSERT_EQUAL(0, repair_output(&table, 0, law, &report));
 
     TEST_ASSERT_EQUAL(650, report.broken_before);
     TEST_ASSERT_EQUAL(0, report.broken_after);
@@ -346,15 +350,15 @@ static void test_that_a_table_that_obeys_is_only_rounded(void)
 static void test_that_halves_change_no_cell(void)
 {
     struct repair_report report;
-    struct law law;
+    struct laws laws = {0};
 
     make_brake(100);
     for (size_t i = 0; i < table.cells; i++) {
         table.surface[0][i] = (double)(i % 100) / 2 + (i % 3 == 0 ? -1e-12 : 1e-12);
         table.cell[0][i] = table_round(table.surface[0][i]);
     }
-    TEST_ASSERT_TRUE(law_parse("-1,+2", &law));
-    TEST_ASSERT_EQUAL(0, repair_output(&table, 0, &law, &report));
+    TEST_ASSERT_TRUE(laws_add(&laws, "-1,+2"));
+    TEST_ASSERT_EQUAL(0, repair_output(&table, 0, laws_of(&laws, 0), &report));
     TEST_ASSERT_EQUAL(0, report.broken_before);
     TEST_ASSERT_EQUAL(0, report.changed);
 }
@@ -403,14 +407,19 @@ static void test_that_a_broken_pair_is_found_and_named(void)
 
 static void test_that_laws_are_read(void)
 {
-    struct law law;
+    struct laws laws = {0};
 
-    TEST_ASSERT_TRUE(law_parse("-1,+2", &law));
-    TEST_ASSERT_EQUAL_INT(-1, law.direction[0]);
-    TEST_ASSERT_EQUAL_INT(1, law.direction[1]);
-    TEST_ASSERT_EQUAL_INT(0, law.direction[2]);
-    TEST_ASSERT_TRUE(law_parse("+64", &law));
-    TEST_ASSERT_EQUAL_INT(1, law.direction[63]);
+    TEST_ASSERT_NULL(laws_of(&laws, 0)->text);
+    TEST_ASSERT_TRUE(laws_add(&laws, "-1,+2"));
+    TEST_ASSERT_EQUAL_INT(-1, laws_of(&laws, 0)->direction[0]);
+    TEST_ASSERT_EQUAL_INT(1, laws_of(&laws, 0)->direction[1]);
+    TEST_ASSERT_EQUAL_INT(0, laws_of(&laws, 0)->direction[2]);
+    TEST_ASSERT_TRUE(laws_add(&laws, "2:+64"));
+    TEST_ASSERT_EQUAL_INT(1, laws_of(&laws, 1)->direction[63]);
+    TEST_ASSERT_EQUAL_INT(-1, laws_of(&laws, 2)->direction[0]);
+    TEST_ASSERT_EQUAL_STRING("-1,+2 2:+64", laws.text);
+    TEST_ASSERT_FALSE_MESSAGE(laws_add(&laws, "+1"), "a second law for all outputs");
+    TEST_ASSERT_FALSE_MESSAGE(laws_add(&laws, "2:+1"), "a second law for output 2");
 }
 
 static void test_that_other_texts_are_no_laws(void)
@@ -418,10 +427,11 @@ static void test_that_other_texts_are_no_laws(void)
     static const char *const text[] = {"",    "1",      "+",    "-0",    "+65",
                                        "+1,", ",+1",    "+1+2", "+1,+1", "+1,-1",
                                        "+ 1", "+1, +2", "--1",  "+1x",   "+18446744073709551617"};
-    struct law law;
 
     for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
-        TEST_ASSERT_FALSE_MESSAGE(law_parse(text[i], &law), text[i]);
+        struct laws laws = {0};
+
+        TEST_ASSERT_FALSE_MESSAGE(laws_add(&laws, text[i]), text[i]);
     }
 }
 

@@ -4,6 +4,7 @@
 #ifndef FUZZY51_DIAG_H
 #define FUZZY51_DIAG_H
 
+#include <stddef.h>
 #include <stdio.h>
 
 enum exit_status {
@@ -22,13 +23,21 @@ int diag_error(const char *file, int line, const char *format, ...)
 void diag_warning(const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* A file that appears whole or not at all: written beside its place under a temporary name. A
- * device or a pipe is written as it is. */
+/* A file that appears whole or not at all: it is written beside its place under a temporary name,
+ * which is removed also when a signal ends the program. Links in the name are followed and stay
+ * links. A file that is replaced keeps its mode. A device, a pipe, /dev/stdout or /dev/fd/N is
+ * written as it is. */
 struct outfile {
     FILE *stream;
-    char *path;
-    char *temporary;
+    char *path;      /* as the user gave it, for messages */
+    char *target;    /* the file that PATH means, its links followed */
+    char *temporary; /* NULL: written in place */
 };
+
+/* May the COUNT files OUTPUT (NULL: none) be written while INPUT (NULL: none) is read? Not if two of
+ * them are one file, by whatever names and links, or a name is empty. EXIT_FINE, or EXIT_INPUT after
+ * a message. */
+int outfile_check(const char *const *output, size_t count, const char *input);
 
 /* Opens PATH for writing. Returns EXIT_FINE, or EXIT_INPUT after a message. */
 int outfile_open(struct outfile *out, const char *path);

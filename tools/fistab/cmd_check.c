@@ -11,14 +11,16 @@ enum { KEY_MONOTONE = 0x300, KEY_COVERAGE };
 
 struct arguments {
     struct grid_options grid;
-    struct law law;
+    struct laws laws;
     const char *file;
     bool coverage;
 };
 
 static const struct argp_option options[] = {
     {"monotone", KEY_MONOTONE, "SPEC", 0,
-     "The table must obey SPEC: -1,+2 falls with input 1 and rises with input 2", 0},
+     "The table must obey SPEC: -1,+2 falls with input 1 and rises with input 2; 2:-1 is for output 2 "
+     "alone",
+     0},
     {"coverage", KEY_COVERAGE, NULL, 0, "Print for each rule in how much of the table it fires", 0},
     {0},
 };
@@ -32,7 +34,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         state->child_inputs[0] = &a->grid;
         return 0;
     case KEY_MONOTONE:
-        option_law(argument, "--monotone", &a->law, state);
+        option_law(argument, "--monotone", &a->laws, state);
         return 0;
     case KEY_COVERAGE:
         a->coverage = true;
@@ -43,15 +45,13 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {{&grid_argp, 0, NULL, 0}, {0}};
-static const struct argp argp = {
+const struct argp check_argp = {
     options,
     parse,
     "FILE.fis",
-    "Says what is wrong with FILE.fis, by named checks: rule_gap, rule_contradiction, "
-    "output_range, monotone, "
-    "with which there is no table; set_hole, set_outside, set_unused, input_unused, rule_never, "
-    "rule_twice, "
-    "rule_empty, with which there is one. Silent, with status 0, if nothing is.",
+    "Says what is wrong with FILE. The errors rule_gap, rule_contradiction, output_range and monotone "
+    "prevent a table; the warnings set_hole, set_outside, set_unused, input_unused, rule_never, "
+    "rule_twice and rule_empty do not. Prints nothing, and ends with status 0, if all is well.",
     children,
     NULL,
     NULL};
@@ -103,14 +103,19 @@ static int check_table(const struct arguments *a, const struct fis *fis, struct 
 {
     struct table table;
 
-    if (fis->inputs > TABLE_INPUTS_MAX && a->law.text == NULL && !a->coverage) {
-        return EXIT_FINE; /* no table of it can be made, so there is none to look at */
+    bool can_be_table = fis->inputs <= TABLE_INPUTS_MAX;
+
+    for (size_t o = 0; o < fis->outputs; o++) {
+        can_be_table = can_be_table && fis->output[o].min < fis->output[o].max;
+    }
+    if (!can_be_table && !a->laws.any && !a->coverage) {
+        return EXIT_FINE; /* no table to look at */
     }
     if (table_make(fis, &a->grid.table, &table) != EXIT_FINE) {
         return EXIT_INPUT;
     }
-    if (a->law.text != NULL) {
-        check_monotone(&table, &a->law, findings);
+    if (a->laws.any) {
+        check_monotone(&table, &a->laws, findings);
     }
     if (a->coverage) {
         print_coverage(&table);
@@ -126,8 +131,8 @@ int cmd_check(int argc, char **argv)
     struct fis fis;
     int status;
 
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
-    status = options_read_fis(a.file, &a.grid, &a.law, "--monotone", &fis);
+    argp_parse(&check_argp, argc, argv, 0, NULL, &a);
+    status = options_read_fis(a.file, &a.grid, &a.laws, "--monotone", &fis);
     if (status != EXIT_FINE) {
         return status;
     }

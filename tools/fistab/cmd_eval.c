@@ -58,16 +58,18 @@ static const struct argp_option options[] = {
     {0},
 };
 static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
-static const struct argp argp = {options,
+const struct argp eval_argp = {options,
                                  parse,
-                                 "FILE.fis [X1 X2 ...]",
-                                 "Prints the outputs of FILE.fis at the point X1 X2 ..., or at "
-                                 "each point that a line of stdin gives: "
-                                 "numbers between blanks or commas; empty lines and lines that "
-                                 "begin with % or # are passed over.\v"
-                                 "One line a point, outputs separated by a blank. Where no rule "
-                                 "fires, the output is the middle of its "
-                                 "range, as MATLAB has it, with a warning on stderr.",
+                                 "FILE [X1 X2 ...]",
+                                 "Prints the outputs of the system in FILE at the point X1 X2 ..., "
+                                 "or at each point that a line of stdin gives. The numbers of a "
+                                 "line stand between blanks or commas; empty lines, and lines that "
+                                 "begin with % or #, are ignored.\v"
+                                 "There is one line a point, with a blank between the outputs. "
+                                 "Where no rule fires, the output is the middle of its range, as "
+                                 "in MATLAB, with a warning on stderr; or the default value that "
+                                 "an FLL or FCL file gives.\n\n"
+                                 "Example: fistab eval tables/brake.fis 3 10",
                                  children,
                                  NULL,
                                  NULL};
@@ -81,12 +83,31 @@ static bool read_number(const char *text, double *number)
     return end != text && *end == '\0' && isfinite(*number) && fabs(*number) <= FIS_NUMBER_MAX;
 }
 
-static void print_term(const struct variable *variable, int term, const char *before)
+/* The word that acts last stands first. */
+static void print_hedges(hedges_t hedges)
 {
-    if (term != 0) {
-        printf("%s%s is %s%s", before, variable->name, term < 0 ? "not " : "",
-               fis_set(variable, term)->name);
+    if (hedges != 0) {
+        print_hedges(hedges >> HEDGE_BITS);
+        printf("%s ", hedge_words[hedges & ((1U << HEDGE_BITS) - 1)]);
     }
+}
+
+/* Term INDEX of RULE, an input or an output VARIABLE: "distance_m is not near" */
+static void print_term(const struct variable *variable, const struct rule *rule, size_t index,
+                       const char *before)
+{
+    int term = rule->term[index];
+
+    if (term == 0) {
+        return;
+    }
+    printf("%s%s is ", before, variable->name);
+    if (rule->hedges[index] != 0) {
+        print_hedges(rule->hedges[index]);
+    } else if (term < 0) {
+        printf("not ");
+    }
+    printf("%s", fis_set(variable, term)->name);
 }
 
 /* "% 0.625 brake.fis:51: if distance_m is near and closing_mps is small then brake_pct is ..." */
@@ -103,14 +124,14 @@ static void print_rules(const struct session *s)
         }
         printf("%% %.3g %s:%d:", engine_strength(s->engine, r), fis->file, rule->line);
         for (size_t i = 0; i < fis->inputs; i++) {
-            print_term(&fis->input[i], rule->term[i], joint);
+            print_term(&fis->input[i], rule, i, joint);
             if (rule->term[i] != 0) {
                 joint = rule->is_or ? " or " : " and ";
             }
         }
         joint = " then ";
         for (size_t o = 0; o < fis->outputs; o++) {
-            print_term(&fis->output[o], rule->term[fis->inputs + o], joint);
+            print_term(&fis->output[o], rule, fis->inputs + o, joint);
             if (rule->term[fis->inputs + o] != 0) {
                 joint = ", ";
             }
@@ -150,12 +171,14 @@ static int eval_arguments(const struct session *s, const struct arguments *a)
     double x[FIS_VARIABLES_MAX];
 
     if (a->numbers != inputs) {
-        return diag_error(a->file, 0, "give %zu numbers, not %zu; the system has so many inputs",
-                          inputs, a->numbers);
+        diag_error(a->file, 0, "give %zu number%s, one for each input, not %zu", inputs,
+                   inputs == 1 ? "" : "s", a->numbers);
+        return EXIT_USAGE;
     }
     for (size_t i = 0; i < a->numbers; i++) {
         if (!read_number(a->point[i], &x[i])) {
-            return diag_error(NULL, 0, "'%s' is not a number", a->point[i]);
+            diag_error(NULL, 0, "'%s' is not a number; write one such as 12.5", a->point[i]);
+            return EXIT_USAGE;
         }
     }
     eval_point(s, x, a->file, 0);
@@ -175,11 +198,10 @@ static int eval_line(const struct session *s, char *text, int line)
             return EXIT_FINE;
         }
         if (numbers == inputs) {
-            return diag_error("stdin", line, "more than %zu numbers; the system has so many inputs",
-                              inputs);
+            return diag_error("stdin", line, "more than %zu numbers, one for each input", inputs);
         }
         if (!read_number(word, &x[numbers])) {
-            return diag_error("stdin", line, "'%s' is not a number", word);
+            return diag_error("stdin", line, "'%s' is not a number; write one such as 12.5", word);
         }
         numbers++;
     }
@@ -187,8 +209,8 @@ static int eval_line(const struct session *s, char *text, int line)
         return EXIT_FINE;
     }
     if (numbers != inputs) {
-        return diag_error("stdin", line, "give %zu numbers, not %zu; the system has so many inputs",
-                          inputs, numbers);
+        return diag_error("stdin", line, "give %zu number%s, one for each input, not %zu", inputs,
+                          inputs == 1 ? "" : "s", numbers);
     }
     eval_point(s, x, "stdin", line);
     return EXIT_FINE;
@@ -207,45 +229,37 @@ static int eval_stdin(const struct session *s)
     return status;
 }
 
-/* A negative number is no option: "--" goes before the first one. */
-static char **guard_numbers(int *argc, char **argv)
+/* A negative number is no option. A blank in front tells so, which strtod() passes over. */
+static void guard_numbers(int argc, char **argv, char **made)
 {
-    char **guarded = malloc(((size_t)*argc + 2) * sizeof *guarded);
-    bool done = false;
-    int count = 0;
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        double number;
 
-    if (guarded == NULL) {
-        return argv;
-    }
-    for (int i = 0; i < *argc; i++) {
-        if (strcmp(argv[i], "--") == 0) {
-            done = true;
+        if (argv[i][0] != '-' || !read_number(argv[i], &number)) {
+            continue;
         }
-        if (!done && argv[i][0] == '-' &&
-            (isdigit((unsigned char)argv[i][1]) || argv[i][1] == '.')) {
-            guarded[count++] = "--";
-            done = true;
+        made[i] = malloc(strlen(argv[i]) + 2);
+        if (made[i] != NULL) {
+            sprintf(made[i], " %s", argv[i]);
+            argv[i] = made[i];
         }
-        guarded[count++] = argv[i];
     }
-    guarded[count] = NULL;
-    *argc = count;
-    return guarded;
 }
 
 int cmd_eval(int argc, char **argv)
 {
     struct arguments a = {0};
-    char **guarded = guard_numbers(&argc, argv);
+    char **made = calloc((size_t)argc, sizeof *made);
     struct fis fis;
     struct session session = {.fis = &fis};
     int status;
 
     a.point = calloc((size_t)argc, sizeof *a.point);
-    if (a.point == NULL) {
+    if (a.point == NULL || made == NULL) {
         return diag_error(NULL, 0, "out of memory");
     }
-    argp_parse(&argp, argc, guarded, 0, NULL, &a);
+    guard_numbers(argc, argv, made);
+    argp_parse(&eval_argp, argc, argv, 0, NULL, &a);
     status = fis_read(a.file, &fis);
     if (status == EXIT_FINE) {
         session.engine = engine_create(&fis, &a.infer);
@@ -263,9 +277,10 @@ int cmd_eval(int argc, char **argv)
     if (fflush(stdout) != 0 || ferror(stdout)) {
         status = diag_error("stdout", 0, "cannot write: %s", strerror(errno));
     }
-    free(a.point);
-    if (guarded != argv) {
-        free(guarded);
+    for (int i = 0; i < argc; i++) {
+        free(made[i]);
     }
+    free(made);
+    free(a.point);
     return status;
 }

@@ -79,7 +79,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
-static const struct argp argp = {
+const struct argp plot_argp = {
     options,
     parse,
     "FILE.fis -o FILE.svg|FILE.png",
@@ -166,7 +166,10 @@ int cmd_plot(int argc, char **argv)
     struct fis fis;
     int status;
 
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    argp_parse(&plot_argp, argc, argv, 0, NULL, &a);
+    if (outfile_check((const char *const[]){a.output}, 1, a.file) != EXIT_FINE) {
+        return EXIT_INPUT;
+    }
     status = fis_read(a.file, &fis);
     if (status != EXIT_FINE) {
         return status;

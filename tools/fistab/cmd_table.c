@@ -13,7 +13,7 @@
 #include "repair.h"
 #include "table.h"
 
-enum { KEY_NAME = 0x200, KEY_CSV, KEY_ENCODING, KEY_REPAIR, KEY_CHANGES };
+enum { KEY_NAME = 0x200, KEY_CSV, KEY_ENCODING, KEY_REPAIR, KEY_CHANGES, KEY_TARGET };
 
 struct arguments {
     struct grid_options grid;
@@ -22,8 +22,9 @@ struct arguments {
     const char *header_path;
     const char *csv_path;
     const char *changes_path;
-    struct law law; /* what --repair asks for */
+    struct laws laws; /* what --repair asks for */
     bool packed;
+    bool any_c; /* --target=c */
 };
 
 static const struct argp_option options[] = {
@@ -34,8 +35,14 @@ static const struct argp_option options[] = {
      "Prefix of the header's symbols; the name of FILE.fis if not given", 0},
     {"encoding", KEY_ENCODING, "plain|packed", 0,
      "How the header stores the table; packed is small, for two inputs and one output", 0},
+    {"target", KEY_TARGET, "lut|c", 0,
+     "What reads the header: firmware/lib/lut.c of this project, with its limits, or any C program; "
+     "lut if not given",
+     0},
     {"repair", KEY_REPAIR, "SPEC", 0,
-     "Take the nearest table that obeys SPEC: -1,+2 falls with input 1 and rises with input 2", 0},
+     "Take the nearest table that obeys SPEC: -1,+2 falls with input 1 and rises with input 2; 2:-1 "
+     "is for output 2 alone",
+     0},
     {"changes", KEY_CHANGES, "FILE", 0,
      "Write the cells that --repair changed to FILE, one line a cell", 0},
     {0},
@@ -83,16 +90,22 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         }
         return 0;
     case KEY_REPAIR:
-        option_law(argument, "--repair", &a->law, state);
+        option_law(argument, "--repair", &a->laws, state);
+        return 0;
+    case KEY_TARGET:
+        a->any_c = strcmp(argument, "c") == 0;
+        if (!a->any_c && strcmp(argument, "lut") != 0) {
+            argp_error(state, "--target=%s: give lut or c", argument);
+        }
         return 0;
     case KEY_CHANGES:
         a->changes_path = argument;
         return 0;
     case ARGP_KEY_END:
-        if (a->grid.table.half_down && a->law.text != NULL) {
+        if (a->grid.table.half_down && a->laws.any) {
             argp_error(state, "--half-down and --repair: choose one, a repair starts from half up");
         }
-        if (a->changes_path != NULL && a->law.text == NULL) {
+        if (a->changes_path != NULL && !a->laws.any) {
             argp_error(state, "--changes lists what --repair changed; give --repair=SPEC too");
         }
         return 0;
@@ -102,9 +115,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {{&grid_argp, 0, NULL, 0}, {0}};
-static const struct argp argp = {
+const struct argp table_argp = {
     options,    parse,
-    "FILE.fis", "Samples FILE.fis on a grid and writes the table as a C header or as CSV.",
+    "FILE",     "Samples the system in FILE on a grid and writes the table as a C header or as CSV.",
     children,   NULL,
     NULL};
 
@@ -125,16 +138,21 @@ static void name_from_file(const char *path, char *name, size_t size)
     name[used] = '\0';
 }
 
-/* Repairs every output and says on stderr what that changed; SUMMARY gets it for the header. */
+/* Repairs the outputs that have a law, and says on stderr what that changed; SUMMARY gets it for the
+ * header. */
 static int repair(const struct arguments *a, struct table *table, char *summary, size_t size)
 {
-    size_t used = (size_t)snprintf(summary, size, "%s", a->law.text);
+    size_t used = (size_t)snprintf(summary, size, "%s", a->laws.text);
 
     for (size_t o = 0; o < table->outputs; o++) {
         const char *name = table->fis->output[o].name;
+        const struct law *law = laws_of(&a->laws, o);
         struct repair_report report;
 
-        if (repair_output(table, o, &a->law, &report) != 0) {
+        if (law->text == NULL) {
+            continue;
+        }
+        if (repair_output(table, o, law, &report) != 0) {
             return diag_error(a->file, 0, "out of memory");
         }
         if (report.broken_after != 0) {
@@ -146,7 +164,7 @@ static int repair(const struct arguments *a, struct table *table, char *summary,
                 "%s: '%s' broke %s between %zu pairs of neighbours; repaired by changing %zu of "
                 "%zu cells by at most "
                 "%d; the squares to the surface sum to %.3f, %.3f before\n",
-                a->file, name, a->law.text, report.broken_before, report.changed, table->cells,
+                a->file, name, law->text, report.broken_before, report.changed, table->cells,
                 report.largest, report.squares_after, report.squares_before);
         if (used < size) {
             used += (size_t)snprintf(summary + used, size - used,
@@ -157,11 +175,53 @@ static int repair(const struct arguments *a, struct table *table, char *summary,
     return EXIT_FINE;
 }
 
+/* What firmware/lib/lut.c can look up. An 8051 has 65,536 bytes for its program and the table; the
+ * least program takes some hundred of them. */
+enum { LUT_INPUTS_MAX = 3, LUT_CELLS_MAX = 256, LUT_BYTES_MAX = 65000 };
+
+static int check_target(const struct arguments *a, const struct table *table)
+{
+    const char *advice = "; give --target=c for a header that your own C indexes";
+    size_t outputs_max = table->inputs == LUT_INPUTS_MAX ? 2 : 1;
+
+    if (a->any_c) {
+        return EXIT_FINE;
+    }
+    if (table->inputs > LUT_INPUTS_MAX) {
+        return diag_error(a->file, 0, "%zu inputs, but the firmware's look-up takes at most %d%s",
+                          table->inputs, LUT_INPUTS_MAX, advice);
+    }
+    if (table->outputs > outputs_max) {
+        return diag_error(a->file, 0,
+                          "%zu outputs, but the firmware's look-up takes %zu of a table with %zu "
+                          "inputs; make a system for each output, or%s",
+                          table->outputs, outputs_max, table->inputs, advice + 1);
+    }
+    for (size_t i = 0; i < table->inputs; i++) {
+        if (table->dims[i] > LUT_CELLS_MAX) {
+            return diag_error(a->file, 0,
+                              "%zu cells along '%s', but the firmware's look-up takes at most %d, as "
+                              "an index is one byte; give a smaller --grid, or%s",
+                              table->dims[i], table->fis->input[i].name, LUT_CELLS_MAX, advice + 1);
+        }
+    }
+    if (!a->packed && table->cells * table->outputs > LUT_BYTES_MAX) {
+        return diag_error(a->file, 0,
+                          "a table of %zu bytes leaves no room for a program in an 8051's 65,536; "
+                          "give a smaller --grid, or%s",
+                          table->cells * table->outputs, advice + 1);
+    }
+    return EXIT_FINE;
+}
+
 static int write_header(FILE *out, const struct arguments *a, const struct table *table,
                         const char *repaired)
 {
     char name[48];
 
+    if (check_target(a, table) != EXIT_FINE) {
+        return EXIT_INPUT;
+    }
     name_from_file(a->file, name, sizeof name);
     return encode_write(out, table, a->name != NULL ? a->name : name, repaired, a->packed);
 }
@@ -208,13 +268,17 @@ int cmd_table(int argc, char **argv)
 {
     struct arguments a = {.grid = GRID_OPTIONS_DEFAULT};
     struct findings findings = {0, 0};
-    char repaired[400];
+    char repaired[4000];
     struct table table;
     struct fis fis;
     int status;
 
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
-    status = options_read_fis(a.file, &a.grid, &a.law, "--repair", &fis);
+    argp_parse(&table_argp, argc, argv, 0, NULL, &a);
+    if (outfile_check((const char *const[]){a.csv_path, a.changes_path, a.header_path}, 3,
+                      a.file) != EXIT_FINE) {
+        return EXIT_INPUT;
+    }
+    status = options_read_fis(a.file, &a.grid, &a.laws, "--repair", &fis);
     if (status != EXIT_FINE) {
         return status;
     }
@@ -226,11 +290,11 @@ int cmd_table(int argc, char **argv)
         status = table_make(&fis, &a.grid.table, &table);
     }
     if (status == EXIT_FINE) {
-        if (a.law.text != NULL) {
+        if (a.laws.any) {
             status = repair(&a, &table, repaired, sizeof repaired);
         }
         if (status == EXIT_FINE) {
-            status = write_files(&a, &table, a.law.text != NULL ? repaired : NULL);
+            status = write_files(&a, &table, a.laws.any ? repaired : NULL);
         }
         table_free(&table);
     }

@@ -15,6 +15,10 @@ int cmd_eval(int argc, char **argv);
 int cmd_check(int argc, char **argv);
 int cmd_table(int argc, char **argv);
 int cmd_plot(int argc, char **argv);
+int cmd_convert(int argc, char **argv);
+
+/* Their options, for argp and for what is made from them: manual page and completion. */
+extern const struct argp eval_argp, check_argp, table_argp, plot_argp, convert_argp;
 
 /* --samples=N and --exact; a child parser whose input is a struct infer_options. */
 extern const struct argp infer_argp;
@@ -32,16 +36,16 @@ extern const struct argp grid_argp;
 long option_integer(const char *text, long min, long max, const char *option,
                     struct argp_state *state);
 
-/* A law of monotony, or a usage message about OPTION and exit. */
-void option_law(const char *text, const char *option, struct law *law, struct argp_state *state);
+/* Adds a law of monotony, or ends with a usage message about OPTION. */
+void option_law(const char *text, const char *option, struct laws *laws, struct argp_state *state);
 
 /* What is left of a command's line, its one FILE: a usage message and exit where there is none, or
  * two. ARGP_ERR_UNKNOWN for every other KEY. */
 error_t option_file(int key, char *argument, const char **file, struct argp_state *state);
 
-/* Reads FILE, and holds --grid and LAW, which OPTION brought, against its inputs. EXIT_FINE; or
+/* Reads FILE, and holds --grid and LAWS, which OPTION brought, against its inputs and outputs. EXIT_FINE; or
  * EXIT_INPUT or EXIT_USAGE after a message, and there is no FIS to free. */
-int options_read_fis(const char *file, const struct grid_options *grid, const struct law *law,
+int options_read_fis(const char *file, const struct grid_options *grid, const struct laws *laws,
                      const char *option, struct fis *fis);
 
 #endif

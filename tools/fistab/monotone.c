@@ -100,16 +100,20 @@ static void describe_cell(const struct table *table, size_t cell, char *buffer, 
     }
 }
 
-void check_monotone(const struct table *table, const struct law *law, struct findings *findings)
+void check_monotone(const struct table *table, const struct laws *laws, struct findings *findings)
 {
-    char before[300], after[300];
+    char before[300], after[300], only[16];
 
     for (size_t o = 0; o < table->outputs; o++) {
         const struct variable *output = &table->fis->output[o];
+        const struct law *law = laws_of(laws, o);
         const int *value = table->cell[o];
         struct worst worst;
         size_t broken = 0;
 
+        if (law->text == NULL) {
+            continue;
+        }
         if (find_worst(table, value, law, &worst) != EXIT_FINE) {
             findings->errors++;
             return;
@@ -124,12 +128,16 @@ void check_monotone(const struct table *table, const struct law *law, struct fin
         }
         describe_cell(table, worst.before, before, sizeof before);
         describe_cell(table, worst.after, after, sizeof after);
+        only[0] = '\0';
+        if (law != &laws->common) {
+            snprintf(only, sizeof only, "%d:", (int)o + 1);
+        }
         findings->errors++;
         diag_error(table->fis->file, output->line,
                    "(monotone) '%s' breaks %s between %zu pairs of neighbours; worst, it is %d at "
                    "%s but %d at %s; "
-                   "`fistab table --repair=%s` mends the table",
+                   "`fistab table --repair=%s%s` mends the table",
                    output->name, law->text, broken, value[worst.before], before, value[worst.after],
-                   after, law->text);
+                   after, only, law->text);
     }
 }

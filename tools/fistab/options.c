@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Options that several commands share. */
+#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 
@@ -22,11 +23,13 @@ long option_integer(const char *text, long min, long max, const char *option,
     return number;
 }
 
-void option_law(const char *text, const char *option, struct law *law, struct argp_state *state)
+void option_law(const char *text, const char *option, struct laws *laws, struct argp_state *state)
 {
-    if (!law_parse(text, law)) {
-        argp_error(state, "%s=%s: give a sign and an input each, as in %s=-1,+2", option, text,
-                   option);
+    if (!laws_add(laws, text)) {
+        argp_error(state,
+                   "%s=%s: give a sign and an input each, as in %s=-1,+2, once, or once for each "
+                   "output, as in %s=2:-1",
+                   option, text, option, option);
     }
 }
 
@@ -65,9 +68,12 @@ static void parse_grid_text(struct grid_options *options, const char *text,
 
     for (options->inputs = 0;; at = end + 1) {
         long dim = strtol(at, &end, 10);
-        if (end == at || dim < 1 || dim > TABLE_CELLS_MAX || (*end != 'x' && *end != '\0') ||
+        if (end == at || !isdigit((unsigned char)*at) || dim < 1 || (*end != 'x' && *end != '\0') ||
             options->inputs == TABLE_INPUTS_MAX) {
-            argp_error(state, "--grid=%s: give one number an input, as in --grid=100x100", text);
+            argp_error(state, "--grid=%s: give a number for each input, as in --grid=100x100", text);
+        }
+        if (dim > TABLE_CELLS_MAX) {
+            argp_error(state, "--grid=%s: a grid has at most %d cells", text, TABLE_CELLS_MAX);
         }
         options->table.dims[options->inputs++] = (size_t)dim;
         if (*end == '\0') {
@@ -121,7 +127,7 @@ error_t option_file(int key, char *argument, const char **file, struct argp_stat
     switch (key) {
     case ARGP_KEY_ARG:
         if (*file != NULL) {
-            argp_error(state, "one FILE.fis at a time; '%s' is one too many", argument);
+            argp_error(state, "one FILE at a time; '%s' is one too many", argument);
         }
         *file = argument;
         return 0;
@@ -143,7 +149,7 @@ static int grid_check(const struct grid_options *options, const struct fis *fis)
     return EXIT_USAGE;
 }
 
-int options_read_fis(const char *file, const struct grid_options *grid, const struct law *law,
+int options_read_fis(const char *file, const struct grid_options *grid, const struct laws *laws,
                      const char *option, struct fis *fis)
 {
     int status = fis_read(file, fis);
@@ -153,7 +159,7 @@ int options_read_fis(const char *file, const struct grid_options *grid, const st
     }
     status = grid_check(grid, fis);
     if (status == EXIT_FINE) {
-        status = law_check(law, fis, option);
+        status = laws_check(laws, fis, option);
     }
     if (status != EXIT_FINE) {
         fis_free(fis);

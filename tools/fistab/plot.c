@@ -25,6 +25,7 @@ enum {
  * membership. */
 #define NAME_WIDTH  0.039
 #define NAME_HEIGHT 0.13
+enum { NAME_LONGEST = 24 }; /* characters; a longer name is cut */
 
 struct sheet {
     FILE *out;
@@ -46,48 +47,43 @@ static const struct {
     {"_v", "V"},      {"_a", "A"},         {"_n", "N"},     {"_nm", "Nm"},     {"_kg", "kg"},
 };
 
-static bool is_utf8(const char *text)
-{
-    const unsigned char *at = (const unsigned char *)text;
-
-    while (*at != '\0') {
-        int more = *at < 0x80                  ? 0
-                   : *at >= 0xC2 && *at < 0xE0 ? 1
-                   : *at >= 0xE0 && *at < 0xF0 ? 2
-                   : *at >= 0xF0 && *at < 0xF5 ? 3
-                                               : -1;
-
-        if (more < 0) {
-            return false;
-        }
-        for (at++; more > 0; more--, at++) {
-            if ((*at & 0xC0) != 0x80) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-/* LENGTH bytes of a name inside a string of gnuplot's: Latin-1 becomes UTF-8, underscores blanks.
- */
+/* LENGTH bytes of a name, which is UTF-8, inside a string of gnuplot's: underscores become blanks. */
 static void put_name(FILE *out, const char *name, size_t length)
 {
-    bool utf8 = is_utf8(name);
-
     for (size_t i = 0; i < length; i++) {
         unsigned char c = (unsigned char)name[i];
 
         if (c == '\'') {
             fputs("''", out);
-        } else if (c == '_' || c < ' ') {
-            putc(' ', out);
-        } else if (c < 0x80 || utf8) {
-            putc(c, out);
         } else {
-            fprintf(out, "%c%c", 0xC0 | c >> 6, 0x80 | (c & 0x3F));
+            putc(c == '_' || c < ' ' ? ' ' : c, out);
         }
     }
+}
+
+/* How many bytes the first CHARACTERS of NAME take. */
+static size_t bytes_of(const char *name, size_t characters)
+{
+    size_t bytes = 0;
+
+    while (name[bytes] != '\0' && characters > 0) {
+        bytes++;
+        while ((name[bytes] & 0xC0) == 0x80) {
+            bytes++;
+        }
+        characters--;
+    }
+    return bytes;
+}
+
+static size_t characters_of(const char *name)
+{
+    size_t characters = 0;
+
+    for (; *name != '\0'; name++) {
+        characters += (*name & 0xC0) != 0x80;
+    }
+    return characters;
 }
 
 /* "distance (m)", inside a string of gnuplot's */
@@ -119,6 +115,16 @@ static double node(const struct variable *variable, size_t index, size_t nodes)
 static size_t node_count(const struct sheet *sheet)
 {
     return sheet->fis->inputs == 1 ? sheet->nodes : sheet->nodes * sheet->nodes;
+}
+
+static bool has_a_value(const struct sheet *sheet)
+{
+    for (size_t i = 0; i < node_count(sheet) * sheet->fis->outputs; i++) {
+        if (!isnan(sheet->value[i])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static bool evaluate(struct sheet *sheet)
@@ -338,7 +344,9 @@ static size_t place_names(const struct variable *range, const double *x, struct 
     size_t rows = 0;
 
     for (size_t s = 0; s < range->sets; s++) {
-        double width = (double)(strlen(range->set[s].name) + 1) * NAME_WIDTH;
+        size_t characters = characters_of(range->set[s].name);
+        double width =
+            (double)((characters > NAME_LONGEST ? NAME_LONGEST : characters) + 1) * NAME_WIDTH;
         double middle = (x[s] - range->min) / (range->max - range->min);
 
         name[s].left = fmax(fmin(middle - width / 2, 1 - width), 0);
@@ -359,14 +367,42 @@ static size_t place_names(const struct variable *range, const double *x, struct 
     return rows;
 }
 
+/* Of set INDEX of COUNT, as #rrggbb: no two sets of a panel have the same. Seven that people tell
+ * apart, also in print, and for more sets all around the circle of hues. */
+static const char *color_of(size_t index, size_t count, char *text)
+{
+    static const char *const few[] = {"#2166ac", "#b2182b", "#1b7837", "#762a83",
+                                      "#b35806", "#01665e", "#000000"};
+    enum { FEW = sizeof few / sizeof few[0] };
+    double channel[3];
+
+    if (count <= FEW) {
+        return few[index];
+    }
+    for (int c = 0; c < 3; c++) { /* every third set is darker than its neighbours */
+        double turn = 2 * M_PI * ((double)index / (double)count - c / 3.0);
+        channel[c] = (index % 3 == 2 ? 90 : 160) * (0.5 + 0.5 * cos(turn));
+    }
+    sprintf(text, "#%02x%02x%02x", (unsigned)channel[0] & 0xFF, (unsigned)channel[1] & 0xFF,
+            (unsigned)channel[2] & 0xFF);
+    return text;
+}
+
+/* The names are the key: each has the colour of its set. */
 static void write_names(FILE *out, const struct variable *range, const struct name_place *name)
 {
+    char color[16];
+
     for (size_t s = 0; s < range->sets; s++) {
+        const char *text = range->set[s].name;
+        bool is_long = characters_of(text) > NAME_LONGEST;
+
         fprintf(out, "set label '");
-        put_name(out, range->set[s].name, strlen(range->set[s].name));
-        fprintf(out, "' at graph %.6f, first %.3f center font ',11'\n",
-                (name[s].left + name[s].right) / 2,
-                1.02 + NAME_HEIGHT * ((double)name[s].row + 0.5));
+        put_name(out, text, bytes_of(text, is_long ? NAME_LONGEST - 1 : NAME_LONGEST));
+        fprintf(out, "%s' at graph %.6f, first %.3f center font ',11' textcolor rgb '%s'\n",
+                is_long ? "…" : "", (name[s].left + name[s].right) / 2,
+                1.02 + NAME_HEIGHT * ((double)name[s].row + 0.5),
+                color_of(s, range->sets, color));
     }
 }
 
@@ -374,13 +410,16 @@ static void write_names(FILE *out, const struct variable *range, const struct na
 static void write_posts(FILE *out, const struct variable *range)
 {
     size_t linear = 0;
+    char color[16];
 
     for (size_t s = 0; s < range->sets; s++) {
         double x = range->set[s].parameter[0];
 
         if (range->set[s].kind == MF_CONSTANT) {
-            fprintf(out, "set arrow from first %.10g, 0 to first %.10g, 1 nohead linewidth 2\n", x,
-                    x);
+            fprintf(out,
+                    "set arrow from first %.10g, 0 to first %.10g, 1 nohead linewidth 2 linecolor "
+                    "rgb '%s'\n",
+                    x, x, color_of(s, range->sets, color));
         } else {
             linear++;
         }
@@ -393,16 +432,12 @@ static void write_posts(FILE *out, const struct variable *range)
 
 static void write_curves(FILE *out, const struct variable *variable)
 {
-    static const char *const color[] = {"#2166ac", "#b2182b", "#1b7837", "#762a83",
-                                        "#b35806", "#01665e", "#000000"};
-    enum { COLORS = sizeof color / sizeof color[0] };
+    char color[16];
 
     fprintf(out, "plot ");
     for (size_t s = 0; s < variable->sets; s++) {
-        fprintf(
-            out,
-            "%s$sets using 1:%zu with lines linewidth 2 dashtype %zu linecolor rgb '%s' notitle",
-            s == 0 ? "" : ", ", s + 2, s / COLORS + 1, color[s % COLORS]);
+        fprintf(out, "%s$sets using 1:%zu with lines linewidth 2 linecolor rgb '%s' notitle",
+                s == 0 ? "" : ", ", s + 2, color_of(s, variable->sets, color));
     }
     fprintf(out, "\n");
 }
@@ -551,6 +586,12 @@ int plot_write(FILE *out, const struct fis *fis, const struct plot_options *opti
 
     if (!options->sets_only) {
         enough = evaluate(&sheet);
+        if (enough && !has_a_value(&sheet)) {
+            free(sheet.value);
+            return diag_error(fis->file, 0,
+                              "no rule gives an output here, so there is no surface; add rules, or "
+                              "draw the sets alone by --sets");
+        }
         if (enough) {
             write_values(&sheet);
         }

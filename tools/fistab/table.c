@@ -149,6 +149,14 @@ int table_make(const struct fis *fis, const struct table_options *options, struc
         return diag_error(fis->file, 0, "%zu inputs; a table has at most %d", fis->inputs,
                           TABLE_INPUTS_MAX);
     }
+    for (size_t o = 0; o < fis->outputs; o++) {
+        if (fis->output[o].min == fis->output[o].max) {
+            return diag_error(fis->file, fis->output[o].line,
+                              "the range of '%s' is [%g %g]; a table needs a range that its values "
+                              "fill",
+                              fis->output[o].name, fis->output[o].min, fis->output[o].max);
+        }
+    }
     status = set_dims(table);
     if (status == EXIT_FINE && !allocate(table)) {
         status = diag_error(fis->file, 0, "out of memory");
