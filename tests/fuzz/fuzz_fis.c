@@ -73,7 +73,8 @@ static void evaluate(const struct fis *fis, const struct infer_options *options)
 static void tabulate(const struct fis *fis)
 {
     struct table_options options = {.infer = {.samples = 11}, .dims = {3, 2, 2, 2}, .levels = 255};
-    static struct laws laws = {.any = true, .text = "-1", .common = {.text = "-1", .direction = {-1}}};
+    static struct laws laws = {
+        .any = true, .text = "-1", .common = {.text = "-1", .direction = {-1}}};
     struct findings findings = {0, 0};
     struct table table;
     uint8_t bytes[24];

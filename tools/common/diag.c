@@ -68,8 +68,8 @@ static void watch_signals(void)
 {
     static const int number[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
     static bool done;
-    struct sigaction now, ours = {.sa_handler = remove_pending,
-                                  .sa_flags = (int)(SA_RESETHAND | SA_NODEFER)};
+    struct sigaction now,
+        ours = {.sa_handler = remove_pending, .sa_flags = (int)(SA_RESETHAND | SA_NODEFER)};
 
     for (size_t i = 0; !done && i < sizeof number / sizeof number[0]; i++) {
         /* A signal that is ignored, or that the program handles itself, stays so. */

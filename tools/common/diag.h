@@ -34,9 +34,9 @@ struct outfile {
     char *temporary; /* NULL: written in place */
 };
 
-/* May the COUNT files OUTPUT (NULL: none) be written while INPUT (NULL: none) is read? Not if two of
- * them are one file, by whatever names and links, or a name is empty. EXIT_FINE, or EXIT_INPUT after
- * a message. */
+/* May the COUNT files OUTPUT (NULL: none) be written while INPUT (NULL: none) is read? Not if two
+ * of them are one file, by whatever names and links, or a name is empty. EXIT_FINE, or EXIT_INPUT
+ * after a message. */
 int outfile_check(const char *const *output, size_t count, const char *input);
 
 /* Opens PATH for writing. Returns EXIT_FINE, or EXIT_INPUT after a message. */

@@ -148,10 +148,11 @@ static void write_man(FILE *out, const struct manual *manual)
         }
         each_option(command->argp, out, put_option);
     }
-    fputs(".SH EXIT STATUS\n.TP\n.B 0\nAll is well.\n.TP\n.B 1\nThe input is bad, or an outcome does "
-          "not hold; no output file was written or changed.\n.TP\n.B 2\nThe command line is bad, or "
-          "a program that is needed failed.\n",
-          out);
+    fputs(
+        ".SH EXIT STATUS\n.TP\n.B 0\nAll is well.\n.TP\n.B 1\nThe input is bad, or an outcome does "
+        "not hold; no output file was written or changed.\n.TP\n.B 2\nThe command line is bad, or "
+        "a program that is needed failed.\n",
+        out);
 }
 
 /* --- bash completion ----------------------------------------------------------------------------
@@ -214,7 +215,8 @@ bool manual_option(const struct manual *manual, const char *option, int *status)
         write_man(stdout, manual);
     } else if (strcmp(option, "--completion") == 0) {
         write_completion(stdout, manual);
-    } else if (has_commands(manual) && (strcmp(option, "--help") == 0 || strcmp(option, "-?") == 0)) {
+    } else if (has_commands(manual) &&
+               (strcmp(option, "--help") == 0 || strcmp(option, "-?") == 0)) {
         manual_help(stdout, manual);
     } else if (has_commands(manual) &&
                (strcmp(option, "--version") == 0 || strcmp(option, "-V") == 0)) {

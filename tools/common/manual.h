@@ -18,7 +18,8 @@ struct manual {
     const char *program;
     const char *brief; /* one line */
     const char *usage; /* what follows the program's name; of a tool with commands */
-    const char *about; /* paragraphs, apart by empty lines; those that begin with blanks stay as is */
+    const char
+        *about; /* paragraphs, apart by empty lines; those that begin with blanks stay as is */
     const struct manual_command *command;
     size_t commands;
 };

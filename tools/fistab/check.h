@@ -31,8 +31,8 @@ struct findings {
 /* Runs all checks that need no table. */
 void check_fis(const struct fis *fis, struct findings *findings);
 
-/* monotone: the integers of every output against its law; a message names the worst pair, neighbours
- * or not, and counts the pairs of neighbours that break the law. */
+/* monotone: the integers of every output against its law; a message names the worst pair,
+ * neighbours or not, and counts the pairs of neighbours that break the law. */
 void check_monotone(const struct table *table, const struct laws *laws, struct findings *findings);
 
 #endif

@@ -18,7 +18,8 @@ struct arguments {
 
 static const struct argp_option options[] = {
     {"monotone", KEY_MONOTONE, "SPEC", 0,
-     "The table must obey SPEC: -1,+2 falls with input 1 and rises with input 2; 2:-1 is for output 2 "
+     "The table must obey SPEC: -1,+2 falls with input 1 and rises with input 2; 2:-1 is for "
+     "output 2 "
      "alone",
      0},
     {"coverage", KEY_COVERAGE, NULL, 0, "Print for each rule in how much of the table it fires", 0},
@@ -49,7 +50,8 @@ const struct argp check_argp = {
     options,
     parse,
     "FILE.fis",
-    "Says what is wrong with FILE. The errors rule_gap, rule_contradiction, output_range and monotone "
+    "Says what is wrong with FILE. The errors rule_gap, rule_contradiction, output_range and "
+    "monotone "
     "prevent a table; the warnings set_hole, set_outside, set_unused, input_unused, rule_never, "
     "rule_twice and rule_empty do not. Prints nothing, and ends with status 0, if all is well.",
     children,

@@ -59,20 +59,20 @@ static const struct argp_option options[] = {
 };
 static const struct argp_child children[] = {{&infer_argp, 0, NULL, 0}, {0}};
 const struct argp eval_argp = {options,
-                                 parse,
-                                 "FILE [X1 X2 ...]",
-                                 "Prints the outputs of the system in FILE at the point X1 X2 ..., "
-                                 "or at each point that a line of stdin gives. The numbers of a "
-                                 "line stand between blanks or commas; empty lines, and lines that "
-                                 "begin with % or #, are ignored.\v"
-                                 "There is one line a point, with a blank between the outputs. "
-                                 "Where no rule fires, the output is the middle of its range, as "
-                                 "in MATLAB, with a warning on stderr; or the default value that "
-                                 "an FLL or FCL file gives.\n\n"
-                                 "Example: fistab eval tables/brake.fis 3 10",
-                                 children,
-                                 NULL,
-                                 NULL};
+                               parse,
+                               "FILE [X1 X2 ...]",
+                               "Prints the outputs of the system in FILE at the point X1 X2 ..., "
+                               "or at each point that a line of stdin gives. The numbers of a "
+                               "line stand between blanks or commas; empty lines, and lines that "
+                               "begin with % or #, are ignored.\v"
+                               "There is one line a point, with a blank between the outputs. "
+                               "Where no rule fires, the output is the middle of its range, as "
+                               "in MATLAB, with a warning on stderr; or the default value that "
+                               "an FLL or FCL file gives.\n\n"
+                               "Example: fistab eval tables/brake.fis 3 10",
+                               children,
+                               NULL,
+                               NULL};
 
 /* A finite number that is all of TEXT. */
 static bool read_number(const char *text, double *number)

@@ -36,11 +36,13 @@ static const struct argp_option options[] = {
     {"encoding", KEY_ENCODING, "plain|packed", 0,
      "How the header stores the table; packed is small, for two inputs and one output", 0},
     {"target", KEY_TARGET, "lut|c", 0,
-     "What reads the header: firmware/lib/lut.c of this project, with its limits, or any C program; "
+     "What reads the header: firmware/lib/lut.c of this project, with its limits, or any C "
+     "program; "
      "lut if not given",
      0},
     {"repair", KEY_REPAIR, "SPEC", 0,
-     "Take the nearest table that obeys SPEC: -1,+2 falls with input 1 and rises with input 2; 2:-1 "
+     "Take the nearest table that obeys SPEC: -1,+2 falls with input 1 and rises with input 2; "
+     "2:-1 "
      "is for output 2 alone",
      0},
     {"changes", KEY_CHANGES, "FILE", 0,
@@ -116,9 +118,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 
 static const struct argp_child children[] = {{&grid_argp, 0, NULL, 0}, {0}};
 const struct argp table_argp = {
-    options,    parse,
-    "FILE",     "Samples the system in FILE on a grid and writes the table as a C header or as CSV.",
-    children,   NULL,
+    options,  parse,
+    "FILE",   "Samples the system in FILE on a grid and writes the table as a C header or as CSV.",
+    children, NULL,
     NULL};
 
 /* "dir/gap-rate.fis" -> "gap_rate" */
@@ -138,8 +140,8 @@ static void name_from_file(const char *path, char *name, size_t size)
     name[used] = '\0';
 }
 
-/* Repairs the outputs that have a law, and says on stderr what that changed; SUMMARY gets it for the
- * header. */
+/* Repairs the outputs that have a law, and says on stderr what that changed; SUMMARY gets it for
+ * the header. */
 static int repair(const struct arguments *a, struct table *table, char *summary, size_t size)
 {
     size_t used = (size_t)snprintf(summary, size, "%s", a->laws.text);
@@ -199,10 +201,11 @@ static int check_target(const struct arguments *a, const struct table *table)
     }
     for (size_t i = 0; i < table->inputs; i++) {
         if (table->dims[i] > LUT_CELLS_MAX) {
-            return diag_error(a->file, 0,
-                              "%zu cells along '%s', but the firmware's look-up takes at most %d, as "
-                              "an index is one byte; give a smaller --grid, or%s",
-                              table->dims[i], table->fis->input[i].name, LUT_CELLS_MAX, advice + 1);
+            return diag_error(
+                a->file, 0,
+                "%zu cells along '%s', but the firmware's look-up takes at most %d, as "
+                "an index is one byte; give a smaller --grid, or%s",
+                table->dims[i], table->fis->input[i].name, LUT_CELLS_MAX, advice + 1);
         }
     }
     if (!a->packed && table->cells * table->outputs > LUT_BYTES_MAX) {

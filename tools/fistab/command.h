@@ -43,8 +43,8 @@ void option_law(const char *text, const char *option, struct laws *laws, struct 
  * two. ARGP_ERR_UNKNOWN for every other KEY. */
 error_t option_file(int key, char *argument, const char **file, struct argp_state *state);
 
-/* Reads FILE, and holds --grid and LAWS, which OPTION brought, against its inputs and outputs. EXIT_FINE; or
- * EXIT_INPUT or EXIT_USAGE after a message, and there is no FIS to free. */
+/* Reads FILE, and holds --grid and LAWS, which OPTION brought, against its inputs and outputs.
+ * EXIT_FINE; or EXIT_INPUT or EXIT_USAGE after a message, and there is no FIS to free. */
 int options_read_fis(const char *file, const struct grid_options *grid, const struct laws *laws,
                      const char *option, struct fis *fis);
 

@@ -22,14 +22,14 @@ static const struct manual manual = {
     .program = "fistab",
     .brief = "fuzzy inference systems to tables for small chips",
     .usage = "COMMAND FILE [OPTION...]",
-    .about =
-        "FILE describes a fuzzy system: a .fis of MATLAB's, an .fll of fuzzylite's or an .fcl of IEC "
-        "61131-7. Examples:\n"
-        "\n"
-        "  fistab check heater.fis\n"
-        "  fistab eval heater.fis 18.5 -0.2\n"
-        "  fistab table heater.fis --grid=32x32 -o heater.h\n"
-        "  fistab plot heater.fis -o heater.svg",
+    .about = "FILE describes a fuzzy system: a .fis of MATLAB's, an .fll of fuzzylite's or an .fcl "
+             "of IEC "
+             "61131-7. Examples:\n"
+             "\n"
+             "  fistab check heater.fis\n"
+             "  fistab eval heater.fis 18.5 -0.2\n"
+             "  fistab table heater.fis --grid=32x32 -o heater.h\n"
+             "  fistab plot heater.fis -o heater.svg",
     .command = command,
     .commands = COMMANDS,
 };

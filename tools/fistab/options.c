@@ -70,7 +70,8 @@ static void parse_grid_text(struct grid_options *options, const char *text,
         long dim = strtol(at, &end, 10);
         if (end == at || !isdigit((unsigned char)*at) || dim < 1 || (*end != 'x' && *end != '\0') ||
             options->inputs == TABLE_INPUTS_MAX) {
-            argp_error(state, "--grid=%s: give a number for each input, as in --grid=100x100", text);
+            argp_error(state, "--grid=%s: give a number for each input, as in --grid=100x100",
+                       text);
         }
         if (dim > TABLE_CELLS_MAX) {
             argp_error(state, "--grid=%s: a grid has at most %d cells", text, TABLE_CELLS_MAX);

@@ -47,7 +47,8 @@ static const struct {
     {"_v", "V"},      {"_a", "A"},         {"_n", "N"},     {"_nm", "Nm"},     {"_kg", "kg"},
 };
 
-/* LENGTH bytes of a name, which is UTF-8, inside a string of gnuplot's: underscores become blanks. */
+/* LENGTH bytes of a name, which is UTF-8, inside a string of gnuplot's: underscores become blanks.
+ */
 static void put_name(FILE *out, const char *name, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
@@ -401,8 +402,7 @@ static void write_names(FILE *out, const struct variable *range, const struct na
         put_name(out, text, bytes_of(text, is_long ? NAME_LONGEST - 1 : NAME_LONGEST));
         fprintf(out, "%s' at graph %.6f, first %.3f center font ',11' textcolor rgb '%s'\n",
                 is_long ? "…" : "", (name[s].left + name[s].right) / 2,
-                1.02 + NAME_HEIGHT * ((double)name[s].row + 0.5),
-                color_of(s, range->sets, color));
+                1.02 + NAME_HEIGHT * ((double)name[s].row + 0.5), color_of(s, range->sets, color));
     }
 }
 

@@ -180,7 +180,8 @@ static void warn_of_additions(const struct fis *fis, const struct block *block, 
             v < fis->inputs ? &fis->input[v] : &fis->output[v - fis->inputs];
 
         for (size_t k = 0; k < variable->sets; k++) {
-            more = more || (variable->set[k].kind >= MF_PWLMF && !mf_is_sugeno(variable->set[k].kind));
+            more =
+                more || (variable->set[k].kind >= MF_PWLMF && !mf_is_sugeno(variable->set[k].kind));
         }
     }
     if (more) {
@@ -189,8 +190,9 @@ static void warn_of_additions(const struct fis *fis, const struct block *block, 
                      "MATLAB");
     }
     if (has_hedges) {
-        diag_warning(fis->file, 0,
-                     "the .fis has hedges, which fuzzylite, Octave and fistab read, but not MATLAB");
+        diag_warning(
+            fis->file, 0,
+            "the .fis has hedges, which fuzzylite, Octave and fistab read, but not MATLAB");
     }
 }
 

@@ -6,9 +6,9 @@
 
 #include "fis.h"
 
-/* Writes FIS to OUT in MATLAB's format, version 2.0. What the format lacks is refused with its name;
- * what only some programs read in it gives a warning. Returns EXIT_FINE, or EXIT_INPUT after a
- * message. */
+/* Writes FIS to OUT in MATLAB's format, version 2.0. What the format lacks is refused with its
+ * name; what only some programs read in it gives a warning. Returns EXIT_FINE, or EXIT_INPUT after
+ * a message. */
 int write_fis(FILE *out, const struct fis *fis);
 
 #endif
