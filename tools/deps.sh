@@ -15,7 +15,7 @@ packages_for() {
     build | sim) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
     unit) echo "$build parallel" ;;
-    test) echo "$build gnuplot-nox parallel rsync chromium avrdude clang-format-19" ;;
+    test) echo "$build gnuplot-nox parallel rsync chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
     report) echo "$build gnuplot-nox parallel rsync" ;;

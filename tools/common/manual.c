@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Help, manual page and bash completion from argp's tables. */
 #include "manual.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The help, the manual page and the bash completion of a tool, all from the tables that argp reads
  * the command line by: so they name every option, and no other. */
 #ifndef FUZZY51_MANUAL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fistab convert: a system in another format as a .fis. */
 #include <errno.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Laws of monotony, as --monotone and --repair name them: "-1,+2" falls with input 1 and rises with
  * input 2; an input that it does not name is free. "2:-1" is a law for output 2 alone; one without
  * an output is for all outputs that have none of their own. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A system as a .fis file. */
 #include "write_fis.h"
 

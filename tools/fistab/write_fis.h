@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Writes a system as a .fis file. */
 #ifndef FUZZY51_WRITE_FIS_H
 #define FUZZY51_WRITE_FIS_H
