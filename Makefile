@@ -64,7 +64,7 @@ include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
 # These install what they need first.
 TARGETS := demo sim unit unit-chip report bench test test-long fuzz pictures
 .PHONY: $(TARGETS)
-demo:      ## a car stops behind another one: the real firmware in the simulator
+demo:      ## the real firmware in the simulator, on a telling drive of APP, with a picture
 sim:       ## one drive: make sim APP=park SCENARIO=tests/loop/park/t1_demo.scn
 unit:      ## the unit tests alone, on this machine; one of them: make unit TEST=brake
 unit-chip: ## the same on the simulated chip

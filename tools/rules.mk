@@ -31,7 +31,7 @@ build/sanitized/%.o: %.c | build/boards.h build/worlds.h
 .PHONY: run-demo
 run-demo: tools
 	@$(MAKE) BOARD=$(or $(BOARD),$(DEFAULT_BOARD)) firmware
-	@tools/demo.sh $(or $(BOARD),$(DEFAULT_BOARD))
+	@tools/demo.sh $(or $(BOARD),$(DEFAULT_BOARD)) $(APP)
 
 SIM_BOARD := $(or $(BOARD),$(DEFAULT_BOARD))
 .PHONY: run-sim

@@ -8,6 +8,7 @@
 #include "identity.h"
 #include "list.h"
 #include "live.h"
+#include "plot.h"
 #include "protocols.h"
 #include "run.h"
 #include "s51.h"
@@ -61,13 +62,14 @@ static const struct argp_option options[] = {
     {"quantum-us", OPT_QUANTUM, "N", 0, "syncs at least that often, 10..400 (when needed)", 3},
     {"step-us", OPT_STEP, "N", 0, "longest step of the plant, 10..10000 (1000)", 3},
     {"seed", OPT_SEED, "N", 0, "of the noise (the scenario's)", 3},
+    {"output", 'o', "FILE", 0, "plot: the figure, an .svg or .png", 4},
     {"map", OPT_MAP, "FINENESS", 0, "scenarios: of the avoidance map: coarse, normal or fine", 4},
     {0},
 };
 
 struct arguments {
     const struct sim_engine *engine;
-    const char *hex, *board, *scenario, *map;
+    const char *hex, *board, *scenario, *map, *output;
     struct trace_paths paths;
     bool live, brief, stats, has_seed, guess;
     int quantum_us, step_us;
@@ -127,6 +129,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
     case OPT_LIVE:
         arguments->live = true;
         break;
+    case 'o':
+        arguments->output = text;
+        break;
     case OPT_MAP:
         arguments->map = text;
         break;
@@ -168,7 +173,8 @@ static error_t take_option(int key, char *text, struct argp_state *state)
 static const struct argp parser = {
     .options = options,
     .parser = take_option,
-    .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\nscenarios DIR\ncanary",
+    .args_doc =
+        "run --board=NAME --scenario=FILE\nlist DIR\nplot FILE -o FILE.svg\nscenarios DIR\ncanary",
     .doc =
         "Runs a controller's real image in a simulator, in a closed loop with a modelled "
         "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
@@ -317,7 +323,7 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
         return EXIT_INPUT;
     }
     if (arguments->live) {
-        live_begin(&live, scenario, class, stdout);
+        live_begin(&live, scenario, stdout);
     } else {
         cpu_claim();
     }
@@ -418,6 +424,9 @@ int main(int argc, char **argv)
     }
     if (strcmp(command, "scenarios") == 0 && arguments.word_count == 2) {
         return protocols_write(arguments.words[1], arguments.map);
+    }
+    if (strcmp(command, "plot") == 0 && arguments.word_count == 2 && arguments.output != NULL) {
+        return plot_run(arguments.words[1], arguments.output);
     }
     if (strcmp(command, "canary") == 0 && arguments.word_count == 1) {
         return canary_run();

@@ -262,6 +262,15 @@ static void values(const struct world *world, double row[WORLD_COLUMNS])
     rig_values(&world->rig, row);
 }
 
+static void draw(struct picture *picture, const struct scenario *scenario, const double *values,
+                 const struct telemetry *telemetry)
+{
+    (void)scenario;
+    (void)telemetry;
+    rig_draw_road(picture, values, NAN);
+    rig_draw_bars(picture, values);
+}
+
 const struct world_class brake_world = {
     .name = "brake",
     .meaning = "brakes behind what an ultrasonic sensor sees",
@@ -279,5 +288,6 @@ const struct world_class brake_world = {
     .measured_ns = measured_ns,
     BASE_RIG_FUNCTIONS,
     .values = values,
+    .draw = draw,
     .measure = base_measure,
 };

@@ -102,6 +102,19 @@ static const struct world_column columns[] = {
     {"throttle_pct", 1}, {"stop", 0},    {"lamp", 0},     {"asks_lane", 0},  {"lane", 0},
 };
 
+enum {
+    COLUMN_GAP,
+    COLUMN_OWN_SPEED,
+    COLUMN_LEAD_SPEED,
+    COLUMN_ACCEL,
+    COLUMN_BRAKE,
+    COLUMN_THROTTLE,
+    COLUMN_STOP,
+    COLUMN_LAMP,
+    COLUMN_ASKS_LANE,
+    COLUMN_LANE
+};
+
 static const char *const reported[] = {"command", "change"};
 
 static double seconds(int64_t t_ns)
@@ -332,16 +345,16 @@ static bool is_over(const struct world *world)
 
 static void values(const struct world *world, double row[WORLD_COLUMNS])
 {
-    row[0] = world->robots.gap_um / 1e6;
-    row[1] = world->robots.own_mmps / 1e3;
-    row[2] = world->robots.lead_mmps / 1e3;
-    row[3] = world->accel_mmps2 / 1e3;
-    row[4] = brake_pct(world);
-    row[5] = servo_throttle_pct(&world->servo);
-    row[6] = world->levels[PIN_STOP];
-    row[7] = !world->levels[PIN_LAMP];
-    row[8] = asks_for_lane(world);
-    row[9] = world->robots.changed_step >= 0;
+    row[COLUMN_GAP] = world->robots.gap_um / 1e6;
+    row[COLUMN_OWN_SPEED] = world->robots.own_mmps / 1e3;
+    row[COLUMN_LEAD_SPEED] = world->robots.lead_mmps / 1e3;
+    row[COLUMN_ACCEL] = world->accel_mmps2 / 1e3;
+    row[COLUMN_BRAKE] = brake_pct(world);
+    row[COLUMN_THROTTLE] = servo_throttle_pct(&world->servo);
+    row[COLUMN_STOP] = world->levels[PIN_STOP];
+    row[COLUMN_LAMP] = !world->levels[PIN_LAMP];
+    row[COLUMN_ASKS_LANE] = asks_for_lane(world);
+    row[COLUMN_LANE] = world->robots.changed_step >= 0;
 }
 
 static void measure(const struct world *world, int64_t t_ns, struct outcome *outcome)
@@ -388,6 +401,32 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
            value[METRIC_MAX_BRAKE]);
 }
 
+/* Both lanes; the robot keeps to the lower one until it changes. */
+static void draw(struct picture *picture, const struct scenario *scenario, const double *values,
+                 const struct telemetry *telemetry)
+{
+    const struct follow_settings *settings = (const void *)scenario->settings;
+    bool is_changed = values[COLUMN_LANE] > 0;
+
+    (void)telemetry;
+    picture_rail(picture);
+    if (is_changed) {
+        picture_lane(picture, true, values[COLUMN_GAP], NAN);
+    } else if (settings->lane.lead_mps >= 0) {
+        picture_lane(picture, false, NAN, NAN);
+    } else {
+        picture_closed_lane(picture, 'x');
+    }
+    picture_rail(picture);
+    picture_lane(picture, !is_changed, is_changed ? NAN : values[COLUMN_GAP], NAN);
+    picture_rail(picture);
+    picture_bar(picture, "gap", values[COLUMN_GAP], "m", values[COLUMN_GAP] / picture->view_m);
+    picture_bar(picture, "brake", values[COLUMN_BRAKE], "%", values[COLUMN_BRAKE] / 100);
+    picture_bar(picture, "throttle", values[COLUMN_THROTTLE], "%", values[COLUMN_THROTTLE] / 100);
+    picture_text(picture, " speed    %7.2f m/s", values[COLUMN_OWN_SPEED]);
+    picture_end(picture);
+}
+
 const struct world_class follow_world = {
     .name = "follow",
     .meaning = "follows a robot and changes lanes",
@@ -402,6 +441,7 @@ const struct world_class follow_world = {
     .state_reported = state_reported,
     .is_over = is_over,
     .values = values,
+    .draw = draw,
     .tell = tell,
     .measure = measure,
 };

@@ -5,6 +5,7 @@
 #include "servo.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The frames of firmware/frames/frame.h and gap.h: lengths in cm, speeds in cm/s. */
@@ -219,6 +220,20 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     value[METRIC_CLOSING_PEAK_AT] = world->shape.closing_s;
 }
 
+/* The road, with a mark where the safe distance ends. */
+static void draw(struct picture *picture, const struct scenario *scenario, const double *values,
+                 const struct telemetry *telemetry)
+{
+    const char *safe_cm = telemetry_value(telemetry, "safe_cm");
+    double safe_m = safe_cm[0] == '\0' ? NAN : strtod(safe_cm, NULL) / 100;
+
+    (void)scenario;
+    rig_draw_road(picture, values, safe_m);
+    picture_bar(picture, "safe |", safe_m, "m", isnan(safe_m) ? 0 : safe_m / picture->view_m);
+    picture_bar(picture, "throttle", values[RIG_COLUMNS], "%", values[RIG_COLUMNS] / 100);
+    rig_draw_bars(picture, values);
+}
+
 const struct world_class gap_world = {
     .name = "gap",
     .meaning = "keeps a safe distance by throttle and brake",
@@ -232,5 +247,6 @@ const struct world_class gap_world = {
     BASE_HEAD_FUNCTIONS,
     BASE_RIG_FUNCTIONS,
     .values = values,
+    .draw = draw,
     .measure = measure,
 };

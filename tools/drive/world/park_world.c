@@ -319,6 +319,45 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     value[METRIC_BLIND_STEER] = world->blind_steer_rad / degree;
 }
 
+/* A line in that direction: one of - / | \ */
+static char stroke(double angle_deg)
+{
+    return "-/|\\"[(int)(lround(angle_deg / 45) % 4 + 4) % 4];
+}
+
+/* The yard from above: the place at x = y = 0, the car, the way that its rear axle has gone, its
+ * front wheels. */
+static void draw(struct picture *picture, const struct scenario *scenario, const double *values,
+                 const struct telemetry *telemetry)
+{
+    static const double margin = 1.25, place_m = 2;
+    enum { BELOW_ROWS = 2 }; /* room below y = 0 */
+    const struct park_settings *settings = (const void *)scenario->settings;
+    double length_m = settings->park.length_m;
+    double high_m = margin * (settings->park.y_m + length_m) / (PLAN_ROWS_MAX - BELOW_ROWS);
+    double wide_m = 4 * (margin * fabs(settings->park.x_m) + length_m) / picture->width;
+    double row_m = fmax(high_m, wide_m); /* a character is half as wide as it is high */
+    double x_m = values[0], y_m = values[1], heading_deg = values[2], steer_deg = values[3];
+    double along_x = cos(heading_deg * degree), along_y = sin(heading_deg * degree);
+
+    (void)telemetry;
+    plan_begin(picture, PLAN_ROWS_MAX, row_m, row_m / 2, PLAN_ROWS_MAX - 1 - BELOW_ROWS);
+    plan_mark(picture, x_m, y_m, '.');
+    for (double part_m = 0; part_m <= length_m; part_m += row_m / 4) {
+        plan_put(picture, -place_m / 2 - row_m / 4, part_m, '[');
+        plan_put(picture, place_m / 2 + row_m / 4, part_m, ']');
+    }
+    for (double part_m = 0; part_m <= length_m; part_m += row_m / 4) {
+        plan_put(picture, x_m + part_m * along_x, y_m + part_m * along_y, '#');
+    }
+    plan_put(picture, x_m, y_m, 'o');
+    plan_put(picture, x_m + length_m * along_x, y_m + length_m * along_y,
+             stroke(heading_deg + steer_deg));
+    plan_draw(picture);
+    picture_text(picture, " x %6.2f m  y %6.2f m  steering %5.1f deg", x_m, y_m, steer_deg);
+    picture_end(picture);
+}
+
 const struct world_class park_world = {
     .name = "park",
     .meaning = "parks a car backwards",
@@ -333,6 +372,7 @@ const struct world_class park_world = {
     .state_reported = state_reported,
     .is_over = is_over,
     .values = values,
+    .draw = draw,
     .tell = tell,
     .measure = measure,
 };

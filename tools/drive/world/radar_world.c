@@ -319,6 +319,63 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
            value[METRIC_MAX_BRAKE]);
 }
 
+/* How far to the left the middle of a lane of that radius is, FORWARD_M straight ahead. */
+static double bend_m(double radius_m, double forward_m)
+{
+    double size_m = fabs(radius_m);
+
+    if (size_m <= 0) {
+        return 0;
+    }
+    return copysign(size_m - sqrt(fmax(size_m * size_m - forward_m * forward_m, 0)), radius_m);
+}
+
+/* CHARACTER at a place of the road: in the row that is nearest, as far from that row's middle of
+ * the lane as it is from its own. */
+static void put_on_road(struct picture *picture, double radius_m, double forward_m, double left_m,
+                        char character)
+{
+    double row_m = round(forward_m / picture->row_m) * picture->row_m;
+    double beside_m = left_m - bend_m(radius_m, forward_m);
+
+    plan_put(picture, -bend_m(radius_m, row_m) - beside_m, row_m, character);
+}
+
+/* The bend from above: the sides of the own lane, the own car below, the car ahead, and where the
+ * radar sees it. */
+static void draw(struct picture *picture, const struct scenario *scenario, const double *values,
+                 const struct telemetry *telemetry)
+{
+    const struct radar_settings *settings = (const void *)scenario->settings;
+    double radius_m = settings->road.radius_m, lane_m = settings->road.lane_m;
+    double gap_m = values[RIG_GAP], range_m = values[RIG_COLUMNS];
+    double row_m = picture->view_m / (PLAN_ROWS_MAX - 1);
+
+    (void)telemetry;
+    plan_begin(picture, PLAN_ROWS_MAX, row_m, lane_m / 4, PLAN_ROWS_MAX - 1);
+    for (int row = 1; row < PLAN_ROWS_MAX; row++) {
+        double centre_m = -bend_m(radius_m, row * row_m);
+
+        plan_put(picture, centre_m - lane_m / 2, row * row_m, '|');
+        plan_put(picture, centre_m + lane_m / 2, row * row_m, '|');
+    }
+    plan_put(picture, 0, 0, '^');
+    if (!isnan(gap_m)) { /* the gap is as long as the lane between */
+        double size_m = fabs(radius_m);
+        double forward_m = size_m > 0 ? size_m * sin(gap_m / size_m) : gap_m;
+
+        put_on_road(picture, radius_m, forward_m,
+                    bend_m(radius_m, forward_m) + scenario->lead.lane * lane_m, '#');
+    }
+    if (!isnan(range_m)) {
+        double azimuth_rad = values[RIG_COLUMNS + 2] * degree;
+
+        put_on_road(picture, radius_m, range_m * cos(azimuth_rad), range_m * sin(azimuth_rad), 'o');
+    }
+    plan_draw(picture);
+    rig_draw_bars(picture, values);
+}
+
 const struct world_class radar_world = {
     .name = "radar",
     .meaning = "takes over from the driver behind what a radar sees",
@@ -332,6 +389,7 @@ const struct world_class radar_world = {
     BASE_HEAD_FUNCTIONS,
     BASE_RIG_FUNCTIONS,
     .values = values,
+    .draw = draw,
     .tell = tell,
     .measure = base_measure,
 };

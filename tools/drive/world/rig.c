@@ -246,6 +246,23 @@ void rig_values(const struct rig *rig, double *row)
     row[7] = !rig->levels[PIN_BUZZER];
 }
 
+void rig_draw_road(struct picture *picture, const double *values, double mark_m)
+{
+    picture_rail(picture);
+    picture_lane(picture, true, values[RIG_GAP], mark_m);
+    picture_rail(picture);
+}
+
+void rig_draw_bars(struct picture *picture, const double *values)
+{
+    double gap_m = values[RIG_GAP];
+
+    picture_bar(picture, "gap", gap_m, "m", isnan(gap_m) ? 1 : gap_m / picture->view_m);
+    picture_bar(picture, "brake", values[RIG_BRAKE], "%", values[RIG_BRAKE] / 100);
+    picture_text(picture, " speed    %7.2f m/s", values[RIG_OWN_SPEED]);
+    picture_end(picture);
+}
+
 /* What never came about, as a number that no limit holds. */
 static double or_never(double value)
 {

@@ -36,6 +36,7 @@ enum { RIG_COLUMNS = 8 };
 #define RIG_COLUMN_NAMES                                                                           \
     {"gap_m", 4}, {"ego_mps", 4}, {"lead_mps", 4}, {"accel_mps2", 3}, {"brake_pct", 1},            \
         {"stop", 0}, {"lamp", 0}, {"buzzer", 0}
+enum { RIG_GAP, RIG_OWN_SPEED, RIG_LEAD_SPEED, RIG_ACCEL, RIG_BRAKE };
 
 void rig_init(struct rig *rig, const struct scenario *scenario, int64_t step_ns);
 
@@ -60,6 +61,10 @@ void rig_blind(struct rig *rig, bool blind);
 void rig_state_reported(struct rig *rig, int64_t t_ns, const char *state);
 bool rig_is_over(const struct rig *rig);
 void rig_values(const struct rig *rig, double *row);
+
+/* Draws a road with the gap, or with a mark MARK_M ahead (NAN: none), then gap, brake and speed. */
+void rig_draw_road(struct picture *picture, const double *values, double mark_m);
+void rig_draw_bars(struct picture *picture, const double *values);
 void rig_measure(const struct rig *rig, int64_t t_ns, struct outcome *outcome);
 
 #endif

@@ -9,7 +9,9 @@
 
 #include "board.h"
 #include "expect.h"
+#include "picture.h"
 #include "scenario.h"
+#include "telemetry.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -93,6 +95,10 @@ struct world_class {
 
     /* The columns' values at the present time; NAN: none. */
     void (*values)(const struct world *world, double values[WORLD_COLUMNS]);
+
+    /* Draws the present state, from the columns' values and what the controller has sent. */
+    void (*draw)(struct picture *picture, const struct scenario *scenario, const double *values,
+                 const struct telemetry *telemetry);
 
     /* Prints the outcome in a sentence or two; NULL: as for a car behind another one. */
     void (*tell)(const struct outcome *outcome, const struct scenario *scenario);
