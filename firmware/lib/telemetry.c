@@ -17,7 +17,11 @@ static bool is_leading;             /* no digit of the number was sent, so zeros
 
 bool telemetry_is_busy(void)
 {
-    return rest != 0;
+    /* SDCC 4.5 would make `return rest != 0;` always true in the large memory model. */
+    if (rest != 0) {
+        return true;
+    }
+    return false;
 }
 
 void telemetry_say(const char __code *format)

@@ -28,12 +28,14 @@ names_lost_stores() {
 }
 check "names_lost_stores" names_lost_stores
 
-# They are lost indeed; the day that SDCC stores there, this part of the gate can go.
+# SDCC 4.2 loses them indeed: this part of the gate can go when Debian 12 does.
 loses_stores() {
     sed -n '/^_set:/,/ret$/{s/;.*//;p}' "$out/store_lost.asm" >"$out/set"
     grep -q 'subb.*_level' "$out/set" && ! grep -qE '_lamp|_is_dark|@r' "$out/set"
 }
-check "sdcc_loses_stores" loses_stores
+if sdcc --version | grep -q ' 4\.2\.'; then
+    check "sdcc_loses_stores" loses_stores
+fi
 
 # Without what it reads it must not be content.
 refuses_plain_asm() {
