@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Cells of the brake's table. An axis has a span, in mm or mm/s, and a number of cells; x is the
  * distance from its low end. The cell is floor(x * cells / span). For each axis one of three
- * methods is chosen, the fastest that is exact for every x below the span: by bytes         if a
- * cell is a whole number of mm, up to 510: two `mul ab` by reciprocal    if fistab found an exact
- * factor of 16 bits: 50 mc more by subtraction   on any other axis: about 300 mc more */
+ * methods is chosen, the fastest that is exact for every x below the span:
+ *   by bytes         if a cell is a whole number of mm, up to 510: two `mul ab`
+ *   by reciprocal    if fistab found an exact factor of 16 bits: 50 mc more
+ *   by subtraction   on any other axis: about 300 mc more */
 #include "cell.h"
 #include <stdbool.h>
 #include "fixed.h"

@@ -5,15 +5,17 @@
  * the same, contradicted once. HELD is confirmed. OPENING is HELD, and the target has opened once.
  * In every state but OPEN the STOP pin is high and the brake is 100 %.
  *
- *   state     override  echo <= 1 m   echo <= 1.3 m  opening  echo beyond   passed  clear    road
- * fault (if tracked)                          (if tracked) OPEN      OPEN      TRIAL (HELD)  OPEN
- * OPEN     OPEN          OPEN    OPEN     OPEN   OPEN TRIAL     OPEN      HELD          HELD OPEN
- * DOUBTED(OPEN) OPEN    DOUBTED  OPEN   TRIAL DOUBTED   OPEN      HELD          HELD           OPEN
- * OPEN          OPEN    OPEN     OPEN   DOUBTED HELD      OPEN      HELD          HELD OPENING HELD
- * OPEN    HELD     OPEN   HELD OPENING   OPEN      HELD          HELD           OPEN     HELD OPEN
- * OPENING  OPEN   OPENING
+ *   state    override <= 1 m       <= 1.3 m opening beyond         passed clear   road fault
+ *   OPEN     OPEN     TRIAL (HELD) OPEN     OPEN    OPEN           OPEN   OPEN    OPEN OPEN
+ *   TRIAL    OPEN     HELD         HELD     OPEN    DOUBTED (OPEN) OPEN   DOUBTED OPEN TRIAL
+ *   DOUBTED  OPEN     HELD         HELD     OPEN    OPEN           OPEN   OPEN    OPEN DOUBTED
+ *   HELD     OPEN     HELD         HELD     OPENING HELD           OPEN   HELD    OPEN HELD
+ *   OPENING  OPEN     HELD         HELD     OPEN    HELD           OPEN   OPENING OPEN OPENING
  *
+ * The state in brackets holds for a tracked reading. The columns, of which the first that applies
+ * decides:
  *   override  the driver has held it for a second
+ *   <= 1 m, <= 1.3 m, beyond   the distance of an echo, whatever it is worth
  *   tracked   the reading is believed as the third or a later one of its target
  *   opening   tracked, beyond 1.3 m, opening at more than LATCH_OPENING_MMPS
  *   passed    another target than that of STOP is tracked beyond 1.3 m, for LATCH_PASSED_READINGS

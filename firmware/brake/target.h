@@ -7,9 +7,11 @@
  *   an echo within                    then
  *   the tracked target's window       believed: its next reading; the one aside is forgotten
  *   the window of the one aside       believed: its second reading; the one aside becomes the
- * target both, and the target has one      believed: of the one whose last place is nearer to the
- * echo reading neither, and there is no target   believed: the first reading of one neither not
- * believed (BRAKE_FAULT_JUMP): it becomes the one aside
+ *                                     target
+ *   both, and the target has one      believed: of the one whose last place is nearer to the echo
+ *     reading
+ *   neither, and there is no target   believed: the first reading of one
+ *   neither                           not believed (BRAKE_FAULT_JUMP): it becomes the one aside
  *
  *   the target was                    clear readings that end it   meanwhile
  *   a glimpse, or entered             2                            believed

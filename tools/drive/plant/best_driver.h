@@ -11,9 +11,10 @@
  * A (t - D - tau (1 - exp(-(t - D) / tau))), which is never less than A (t - D - tau). So a car
  * that rolls on unbraked for L and then brakes with A at once is always behind the real one, and
  * the real car has a little more room than it (A tau^2 / 2 = 0.16 m at 8 m/s2). That is the whole
- * margin; no factor is added. For closing speed w first seen at distance d: avoided         if  w L
- * + w^2 / 2A <= d          (from 5 m at 8 m/s2: up to 6.57 m/s) else mitigated  to  sqrt(w^2 - 2A
- * (d - w L)) A car ahead that brakes at b gives no reason before the closing speed stands out of
+ * margin; no factor is added. For closing speed w, first seen at distance d:
+ *     avoided            if w L + w^2 / 2A <= d (from 5 m at 8 m/s2: up to 6.57 m/s)
+ *     else mitigated to  sqrt(w^2 - 2A (d - w L))
+ * A car ahead that brakes at b gives no reason before the closing speed stands out of
  * the sensor's noise, which is 0.5 m/s: three standard deviations of a difference of readings with
  * 1 cm of noise each. That is 0.5 / b after it started, and the difference tells the speed of half
  * a period ago, 30 ms more. The gap gives a reason when it is 1 m, where the STOP pin is due. Where
