@@ -46,6 +46,7 @@ define compile_rules
 $(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)$(if $(2),; rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
+	$$(Q)tools/no_atomics.sh $$@
 endef
 define image_rules
 $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp

@@ -26,7 +26,7 @@ FNR == 1 { function_name = ""; area = ""; source = "" }
 / ic:[0-9]+:[ \t]+\*\(.* (near|idata)\* .*\) := .*\{bit fixed\}$/ {
     complain(source, "SDCC loses the store of this comparison; write: if (...) it = true; else it = false;")
 }
-{ sub(/;.*/, "") }
+{ sub(/;.*/, ""); sub(/ljmp[ \t]+sdcc_atomic_maybe_rollback/, "reti") } # as SDCC 4.5 ends an interrupt
 $1 == ".area" { area = $2; function_name = ""; next }
 area == "OSEG" && /^_[A-Za-z0-9_]+:/ { sub(/:.*/, ""); overlay[$1] = 1; next }
 area == "HOME" && $1 == "ljmp" { vector[$2] = 1; next }
