@@ -59,7 +59,7 @@ fails() { # NAME STATUS MESSAGE COMMAND...: one message, and nothing left behind
 }
 
 # --- usage and inputs ---
-fails "no command" 2 "say what to do: run, list DIR or canary" "$drive"
+fails "no command" 2 "say what to do: run, list DIR, keys, plot, scenarios DIR or canary" "$drive"
 fails "unknown command" 2 "say what to do" "$drive" fly
 fails "run without options" 2 "run wants --board and --scenario" "$drive" run
 fails "unknown option" 2 "unrecognized option" "$drive" run --fast

@@ -8,6 +8,7 @@
 #include "identity.h"
 #include "list.h"
 #include "live.h"
+#include "keys_page.h"
 #include "plot.h"
 #include "protocols.h"
 #include "run.h"
@@ -173,12 +174,14 @@ static error_t take_option(int key, char *text, struct argp_state *state)
 static const struct argp parser = {
     .options = options,
     .parser = take_option,
-    .args_doc =
-        "run --board=NAME --scenario=FILE\nlist DIR\nplot FILE -o FILE.svg\nscenarios DIR\ncanary",
+    .args_doc = "run --board=NAME --scenario=FILE\nlist DIR\nkeys [APP]\nplot FILE -o "
+                "FILE.svg\nscenarios DIR\ncanary",
     .doc =
         "Runs a controller's real image in a simulator, in a closed loop with a modelled "
         "car, road and sensor.\vrun judges the scenario's stated outcomes and prints each with "
-        "its value; list prints the scenarios of a folder; canary checks that s51 keeps time.\n"
+        "its value; list prints the scenarios of a folder; keys prints what a scenario file may "
+        "hold; plot draws a run's CSV or JSON; scenarios writes those of the report; canary checks "
+        "that s51 keeps time.\n"
         "\nExit status: 0 all outcomes hold, 1 one does not, or bad input; 2 bad usage, no image "
         "to run, or the simulator failed.",
 };
@@ -425,12 +428,17 @@ int main(int argc, char **argv)
     if (strcmp(command, "scenarios") == 0 && arguments.word_count == 2) {
         return protocols_write(arguments.words[1], arguments.map);
     }
+    if (strcmp(command, "keys") == 0) {
+        return keys_page_print(arguments.word_count == 2 ? arguments.words[1] : NULL);
+    }
     if (strcmp(command, "plot") == 0 && arguments.word_count == 2 && arguments.output != NULL) {
         return plot_run(arguments.words[1], arguments.output);
     }
     if (strcmp(command, "canary") == 0 && arguments.word_count == 1) {
         return canary_run();
     }
-    diag_error(NULL, 0, "say what to do: run, list DIR or canary; see drive --help");
+    diag_error(
+        NULL, 0,
+        "say what to do: run, list DIR, keys, plot, scenarios DIR or canary; see drive --help");
     return EXIT_USAGE;
 }
