@@ -5,6 +5,7 @@
 BOARD        ?=#                  one board of firmware/boards; empty: all of them
 APP          ?= brake#            the image that `flash` writes and `sim` runs
 SCENARIO     ?=#                  what `sim` drives, a file of tests/loop; empty: the simulator's console
+ENGINE       ?=#                  what runs images, s51 or fast; empty: as suits the target, mostly s51
 TEST         ?=#                  the test that `unit` runs, such as brake; empty: all of them
 PORT         ?=#                  where the flasher finds the chip, such as /dev/ttyUSB0
 PROGRAMMER   ?= avrisp#           the programmer that avrdude uses
@@ -38,7 +39,7 @@ Q := $(if $(V),,@)
 VERSION := $(shell sed -n 's/^\#\# \([0-9][0-9.]*\).*/\1/p;T;q' CHANGELOG.md)
 # Where an image has the address of the text that says who it is (firmware/mcu/identity.h).
 IDENTITY_AT := 0x06
-export NO_INSTALL UNITY_DIR MAP ONLY JOBS SSHLOGIN
+export ENGINE NO_INSTALL UNITY_DIR MAP ONLY JOBS SSHLOGIN
 
 DEFAULT_BOARD := stc89c516rd
 BOARDS := $(basename $(notdir $(wildcard firmware/boards/*.mk)))
@@ -71,7 +72,7 @@ unit-chip: ## the same on the simulated chip
 report:    ## every controller on every scenario, as build/report/index.html
 bench:     ## cycles, bytes and stack of each image; speed of fistab and drive
 test:      ## the tests; ends with 'N passed, N failed'
-test-long: ## drives that take longer: other controllers, ten minutes, the other estimator
+test-long: ## the two engines beside each other on every drive; the brake with the other estimator
 fuzz:      ## odd input for fistab, for FUZZ_SECONDS
 pictures:  ## the pictures in docs/pictures
 $(TARGETS):

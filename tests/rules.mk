@@ -6,22 +6,28 @@ UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)
 include $(wildcard tests/*/rules.mk)
 
 # Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip;
-# the brake's drives on each board, and on the default board those of the brake's other laws.
+# the drives. s51 runs the brake on the default board, the fast engine all other drives: other boards,
+# other laws, other controllers and ten minutes at the STOP pin.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(LOOP_FOLDERS))
 OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) long,$(LOOP_FOLDERS))
+OTHER_BOARDS := $(filter-out $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
+ON_DEFAULT   := $(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
+FAST         := ENGINE=$(or $(ENGINE),fast)
 LONG_TESTS   := tests/tools/test_frame_seeds.sh
 TEST_SUITES  := $(TOOL_TESTS) $(filter-out $(LONG_TESTS),$(wildcard tests/tools/test_*.sh)) $(UNIT_TESTS) \
     $(CHIP_TESTS:%='tests/run_chip.sh %') $(wildcard tests/chip/test_*.sh) \
-    $(patsubst %,'tests/run_loop.sh %',$(or $(BOARD),$(BOARDS))) \
-    $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)')
+    $(ON_DEFAULT:%='tests/run_loop.sh %') $(OTHER_BOARDS:%='$(FAST) tests/run_loop.sh %') \
+    $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='$(FAST) tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
+    $(foreach law,$(BRAKE_LOOPS),'$(FAST) APP=$(law) tests/run_loop.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
+    $(patsubst %,'$(FAST) tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS)))
 
-# Slow tests: the drives of the other controllers, on the default board; ten simulated minutes on each
-# board; every drive of the brake with the other estimator.
-LONG_SUITES := $(LONG_TESTS) \
-    $(if $(filter-out $(DEFAULT_BOARD),$(BOARD)),,$(OTHER_LOOPS:%='tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
-    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) \
-    'IMAGE=build/smooth/brake.ihx tests/run_loop.sh $(DEFAULT_BOARD)'
+# Slow tests: both engines on all that the fast one drives in `test`, but the ten minutes; every drive of
+# the brake with the other estimator.
+LONG_SUITES := $(LONG_TESTS) $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
+    $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%')) \
+    $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/compare_engines.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
+    'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)'
 
 # `make unit TEST=NAME` runs one file, tests/unit/test_NAME.c or tests/tools/test_NAME.c; without TEST
 # those of tests/unit.

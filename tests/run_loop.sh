@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # Runs all scenarios of a folder on one board: the firmware of the app that each names, of $APP, or in the
-# file $IMAGE; prints a test line for each stated outcome, two runs at a time.
+# file $IMAGE, in the engine $ENGINE (s51); prints a test line for each stated outcome, two runs at a time.
 #     tests/run_loop.sh BOARD [DIR]        DIR: tests/loop
 set -u
 board=${1:?usage: tests/run_loop.sh BOARD [DIR]}

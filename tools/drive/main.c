@@ -49,7 +49,7 @@ static const struct argp_option options[] = {
      "the controller's image, Intel HEX (build/BOARD/APP.ihx, with the scenario's app)", 1},
     {"board", OPT_BOARD, "NAME", 0, "the board that it was built for", 1},
     {"engine", OPT_ENGINE, "NAME", 0,
-     "what runs the image: s51, uCsim's simulator (the default), or fast, our own", 1},
+     "what runs the image: s51, uCsim's simulator, or fast, our own ($ENGINE, else s51)", 1},
     {"scenario", OPT_SCENARIO, "FILE", 0, "what happens on the road, and what must come of it", 1},
     {"set", OPT_SET, "SECTION.KEY=VALUE", 0, "replaces a value of the scenario; may be repeated",
      1},
@@ -69,8 +69,7 @@ static const struct argp_option options[] = {
 };
 
 struct arguments {
-    const struct sim_engine *engine;
-    const char *hex, *board, *scenario, *map, *output;
+    const char *hex, *board, *scenario, *engine, *map, *output;
     struct trace_paths paths;
     bool live, brief, stats, has_seed, guess;
     int quantum_us, step_us;
@@ -104,10 +103,7 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         arguments->hex = text;
         break;
     case OPT_ENGINE:
-        arguments->engine = sim_engine(text);
-        if (arguments->engine == NULL) {
-            argp_error(state, "no engine '%s'; the engines are: %s", text, sim_engine_names());
-        }
+        arguments->engine = text;
         break;
     case OPT_BOARD:
         arguments->board = text;
@@ -364,6 +360,22 @@ static int take_identity(struct arguments *arguments, const struct run_setup *se
     return identity_check(&identity, setup->hex, board->name, setup->scenario->world->name);
 }
 
+/* The engine of that name; of $ENGINE, or s51, for NULL. Returns NULL after a message. */
+static const struct sim_engine *find_engine(const char *name)
+{
+    const char *chosen = getenv("ENGINE");
+    const struct sim_engine *engine;
+
+    if (name == NULL) {
+        name = chosen != NULL && chosen[0] != '\0' ? chosen : s51_engine.name;
+    }
+    engine = sim_engine(name);
+    if (engine == NULL) {
+        diag_error(NULL, 0, "no engine '%s'; the engines are: %s", name, sim_engine_names());
+    }
+    return engine;
+}
+
 static int command_run(struct arguments *arguments)
 {
     struct board board;
@@ -399,8 +411,8 @@ static int command_run(struct arguments *arguments)
     add_understood(&scenario);
     setup.guess = arguments->guess && !arguments->live;
     setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;
-    setup.engine = arguments->engine;
-    if (sim_check(setup.engine) != EXIT_FINE) {
+    setup.engine = find_engine(arguments->engine);
+    if (setup.engine == NULL || sim_check(setup.engine) != EXIT_FINE) {
         return EXIT_USAGE;
     }
     return run_and_report(&setup, &scenario, arguments);
@@ -408,8 +420,7 @@ static int command_run(struct arguments *arguments)
 
 int main(int argc, char **argv)
 {
-    struct arguments arguments = {.engine = &s51_engine,
-                                  .map = "normal",
+    struct arguments arguments = {.map = "normal",
                                   .guess = true,
                                   .quantum_us = RUN_QUANTUM_US,
                                   .step_us = WORLD_STEP_NS / 1000};

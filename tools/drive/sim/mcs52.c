@@ -16,12 +16,13 @@ const uint8_t mcs52_special[256] = {
 
 /* --- special function registers ----------------------------------------------------------- */
 
-uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t now)
+uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t cycle)
 {
     if (mcs52_special[address] & IS_PORT) {
         return chip->pins[(address - P0) / 16];
     }
-    mcs52_timers_sync(chip, now);
+    mcs52_catch_up(chip, cycle);
+    mcs52_timers_sync(chip, cycle);
     return chip->sfr[address];
 }
 
@@ -113,10 +114,8 @@ uint8_t mcs52_sfr(struct mcs52 *chip, uint8_t address)
     case PSW:
         return (uint8_t)(chip->psw | __builtin_parity(chip->a));
     default:
-        mcs52_catch_up(chip, chip->now);
-        return mcs52_special[address] & READ_SPECIAL && !(mcs52_special[address] & IS_PORT)
-                   ? mcs52_read(chip, address, chip->now)
-                   : chip->sfr[address];
+        return mcs52_special[address] & IS_PORT ? chip->sfr[address]
+                                                : mcs52_read(chip, address, chip->now);
     }
 }
 

@@ -11,9 +11,10 @@
  *   [S]  STC, STC89C51RC/RD+ data sheet: WDT_CONTR, POF
  *
  * Where [I] names no moment, this library says: an instruction reads pins, timers and flags in its
- * first cycle, after the timers have counted in that cycle; what it writes is there from the end of
- * its last cycle on ([I]: a port's pin changes in S1P1 of the next cycle). The reserved code A5h is
- * a NOP. A special function register that the part does not have is a byte of storage. */
+ * first cycle, after the timers have counted in that cycle (one that reads, modifies and writes a
+ * register: in its last); what it writes is there from the end of its last cycle on ([I]: a port's
+ * pin changes in S1P1 of the next cycle). The reserved code A5h is a NOP. A special function
+ * register that the part does not have is a byte of storage. */
 #ifndef FUZZY51_MCS52_H
 #define FUZZY51_MCS52_H
 

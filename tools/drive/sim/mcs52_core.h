@@ -44,7 +44,7 @@ INLINE void give(const struct core *x)
 
 /* --- operands ----------------------------------------------------------------------------- */
 
-INLINE uint8_t get_special(struct core *x, uint8_t address)
+INLINE uint8_t get_special(struct core *x, uint8_t address, uint64_t cycle)
 {
     if (address == ACC) {
         return x->a;
@@ -52,26 +52,28 @@ INLINE uint8_t get_special(struct core *x, uint8_t address)
     if (address == PSW) {
         return (uint8_t)(x->psw | __builtin_parity(x->a));
     }
-    return mcs52_read(x->chip, address, x->now);
+    return mcs52_read(x->chip, address, cycle);
 }
 
-/* A direct address; of a port, the pins. */
+/* A direct address, in the first cycle; of a port, the pins. */
 INLINE uint8_t get(struct core *x, uint8_t address)
 {
     if (address < 0x80) {
         return x->chip->ram[address];
     }
-    return mcs52_special[address] & READ_SPECIAL ? get_special(x, address) : x->chip->sfr[address];
+    return mcs52_special[address] & READ_SPECIAL ? get_special(x, address, x->now)
+                                                 : x->chip->sfr[address];
 }
 
-/* A direct address that will be written back; of a port, the latch ([I], read-modify-write). */
+/* A direct address that will be written back, in the last cycle, so that no flag is lost that the
+ * hardware sets meanwhile; of a port, the latch ([I], read-modify-write). */
 INLINE uint8_t get_latch(struct core *x, uint8_t address)
 {
     if (address < 0x80) {
         return x->chip->ram[address];
     }
-    return (mcs52_special[address] & (READ_SPECIAL | IS_PORT)) == READ_SPECIAL
-               ? get_special(x, address)
+    return (mcs52_special[address] & (WRITE_SPECIAL | IS_PORT)) == WRITE_SPECIAL
+               ? get_special(x, address, x->end - 1)
                : x->chip->sfr[address];
 }
 

@@ -168,6 +168,7 @@ struct mcs52 {
     uint8_t tx_next;  /* as written to SBUF, with its ninth bit */
     bool tx_next_ninth;
     bool tx_waits;       /* it is the next frame, after the stop bit of this one */
+    bool tx_rolled;      /* the roll-over of EVENT_TX has been counted */
     uint8_t tx_position; /* 0: nothing is sent; 1: waits for a roll-over; then the bits */
     uint8_t rx_position; /* 0: looks for a start bit; then 1 + the bits so far */
     uint8_t rx_sample;   /* which of the three samples of a bit comes next */
@@ -204,9 +205,10 @@ struct mcs52 {
 enum { READ_SPECIAL = 1, WRITE_SPECIAL = 2, IS_PORT = 4 };
 extern const uint8_t mcs52_special[256];
 
-/* mcs52.c: reset; a special register read in cycle NOW; written by an instruction that ends at END.
+/* mcs52.c: reset; a special register read in cycle CYCLE; written by an instruction that ends at
+ * END.
  */
-uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t now);
+uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t cycle);
 void mcs52_write(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end);
 void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause);
 void mcs52_settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end);

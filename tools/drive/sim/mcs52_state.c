@@ -71,10 +71,10 @@ static bool same_periphery(const struct mcs52 *a, const struct mcs52 *b)
 {
     return SAME(timer_at) && SAME(t1_overflows) && same_clock(&a->tx_clock, &b->tx_clock) &&
            same_clock(&a->rx_clock, &b->rx_clock) && SAME(tx_bits) && SAME(tx_byte) &&
-           SAME(tx_next) && SAME(tx_next_ninth) && SAME(tx_waits) && SAME(tx_position) &&
-           SAME(rx_position) && SAME(rx_sample) && SAME(rx_ones) && SAME(rx_bits) &&
-           SAME(watchdog_left) && SAME(watchdog_last) && SAME(bitten) && SAME(outside_pins) &&
-           SAME(alternate) && SAME(due);
+           SAME(tx_next) && SAME(tx_next_ninth) && SAME(tx_waits) && SAME(tx_rolled) &&
+           SAME(tx_position) && SAME(rx_position) && SAME(rx_sample) && SAME(rx_ones) &&
+           SAME(rx_bits) && SAME(watchdog_left) && SAME(watchdog_last) && SAME(bitten) &&
+           SAME(outside_pins) && SAME(alternate) && SAME(due);
 }
 
 bool mcs52_equal(struct mcs52 *a, struct mcs52 *b)

@@ -130,7 +130,7 @@ static unsigned rx_ticks(const struct mcs52 *chip)
 
 static void plan_tx(struct mcs52 *chip)
 {
-    if (mode(chip) != 0 && chip->tx_position > 0) {
+    if (mode(chip) != 0 && chip->tx_position > 0 && !chip->tx_rolled) {
         uint64_t roll_over = cycle_of_tick(&chip->tx_clock, TICKS - chip->tx_clock.phase);
 
         mcs52_schedule(chip, EVENT_TX, roll_over == NEVER ? NEVER : roll_over + 1);
@@ -146,12 +146,19 @@ static void plan_rx(struct mcs52 *chip)
     }
 }
 
-/* Before the source of a clock changes at END: all ticks of the old one. A roll-over in the cycle
- * before END has happened, though its effect is due at END. */
+/* The tick at which the phase of the sending clock becomes 0; what it leads to is due a cycle
+ * later. */
+static void roll_over(struct mcs52 *chip)
+{
+    advance_by(&chip->tx_clock, TICKS - chip->tx_clock.phase);
+    chip->tx_rolled = true;
+}
+
+/* Before the source of a clock changes at END: all ticks of the old one. */
 void mcs52_uart_advance(struct mcs52 *chip, uint64_t end)
 {
-    if (chip->due[EVENT_TX] <= end) {
-        mcs52_uart_tx(chip, end);
+    if (mode(chip) != 0 && chip->due[EVENT_TX] <= end && !chip->tx_rolled) {
+        roll_over(chip);
     }
     advance(&chip->tx_clock, end);
     advance(&chip->rx_clock, end);
@@ -177,6 +184,7 @@ void mcs52_uart_overflow(struct mcs52 *chip, int timer, uint64_t cycle)
     if (by_timer2(chip, &chip->tx_clock) == (timer == 2)) {
         advance_by(&chip->tx_clock, 1);
         if (chip->tx_clock.phase == 0 && chip->tx_position > 0) {
+            chip->tx_rolled = true;
             mcs52_schedule(chip, EVENT_TX, cycle + 1);
         }
     }
@@ -267,9 +275,10 @@ void mcs52_uart_tx(struct mcs52 *chip, uint64_t cycle)
         tx_shift(chip, cycle);
         return;
     }
-    if (chip->tx_clock.next_state != NEVER) {
-        advance_by(&chip->tx_clock, TICKS - chip->tx_clock.phase);
+    if (!chip->tx_rolled) {
+        roll_over(chip);
     }
+    chip->tx_rolled = false;
     tx_bit(chip, cycle);
 }
 
@@ -278,6 +287,9 @@ void mcs52_uart_tx(struct mcs52 *chip, uint64_t cycle)
 void mcs52_uart_send(struct mcs52 *chip, uint8_t byte, uint64_t end)
 {
     mcs52_uart_advance(chip, end);
+    if (chip->tx_rolled) { /* before the write, so it is still the earlier frame's */
+        mcs52_uart_tx(chip, end);
+    }
     chip->tx_next = byte;
     chip->tx_next_ninth = mode(chip) == 1 || (chip->sfr[SCON] & SCON_TB8);
     if (mode(chip) != 0 && chip->tx_position > 1 + frame_bits(chip)) {
@@ -379,7 +391,7 @@ void mcs52_uart_rx(struct mcs52 *chip, uint64_t cycle)
 void mcs52_uart_break(struct mcs52 *chip, uint64_t cycle)
 {
     chip->tx_position = chip->rx_position = 0;
-    chip->tx_waits = false;
+    chip->tx_waits = chip->tx_rolled = false;
     chip->due[EVENT_TX] = chip->due[EVENT_RX] = NEVER;
     mcs52_alternate(chip, 3, P3_RXD | P3_TXD, true, cycle);
 }
