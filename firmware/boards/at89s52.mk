@@ -9,8 +9,9 @@ ENCODING   := packed
 WATCHDOG   := at89s52
 BOARD_FAULT_PCT := 60
 
-# An STK500-style programmer; an Arduino with ArduinoISP is one. avrdude 7.1 does not know the chip,
-# so the .conf file beside this one describes it.
+# The default programmer is an Arduino with the sketch ArduinoISP; a USBasp (PROGRAMMER=usbasp) needs no
+# PORT. avrdude 7.1 does not know the chip, so the .conf file beside this one describes it.
+PORT := $(or $(PORT),$(if $(filter usb%,$(PROGRAMMER)),usb))
 BOARD_FLASH = avrdude -C +firmware/boards/at89s52.conf -c $(PROGRAMMER) -b 19200 -P $(PORT) -p AT89S52 -U flash:w:$(HEX):i
 FLASH_GET  := tools/deps.sh flash
 FLASH_HOW  := Wire MOSI P1.5, MISO P1.6, SCK P1.7, RST (high while programming), ground; a crystal must be fitted.

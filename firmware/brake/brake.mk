@@ -8,19 +8,24 @@ BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.
 BRAKE_SMALLER := GRID=80x80, LEVELS=50 or REPAIR=-1,+2 makes the table smaller
+# What the make line can change: FAULT_PCT beside these. The image without a controller has no STOP.
+BRAKE_KNOBS   := $(STOP_MM:%=-DBRAKE_STOP_MM=%U) $(RELEASE_MM:%=-DLATCH_NEAR_MM=%U) $(if $(STEP_MS),-DRANGE_PERIOD_MS=$(STEP_MS)U)
 # The functions whose worst time build/BOARD/APP.bound states.
 BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_stack_is_good apply show
 
 brake_TABLE   := $(TABLE)
 brake_FISTAB   = $(BRAKE_FISTAB)
 brake_SMALLER := $(BRAKE_SMALLER)
+brake_FLAGS   := $(BRAKE_KNOBS)
 brake_MODULES := $(BRAKE_MODULES) brake/law_fuzzy brake/cell
 
 tuned_TABLE   := tables/brake_tuned.fis
 tuned_FISTAB   = --encoding=$(ENCODING)
-tuned_FLAGS   := -DESTIMATOR_smooth
+tuned_FLAGS   := -DESTIMATOR_smooth $(BRAKE_KNOBS)
 tuned_MODULES := $(BRAKE_MODULES) brake/law_tuned brake/cell brake/ease
 
+classic_FLAGS := $(BRAKE_KNOBS)
+first_FLAGS   := $(BRAKE_KNOBS)
 none_FLAGS    := -DBRAKE_STOP_MM=0U -UFAULT_PCT -DFAULT_PCT=0
 
 define brake_law

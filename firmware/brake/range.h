@@ -16,7 +16,13 @@
 #define RANGE_MAX_MM 6000U
 
 /* The time from one reading to the next, and how many of them come in a time. */
-#define RANGE_PERIOD_CS         6U
+#ifndef RANGE_PERIOD_MS
+#define RANGE_PERIOD_MS 60U
+#endif
+#if RANGE_PERIOD_MS < 50 || RANGE_PERIOD_MS > 310 || RANGE_PERIOD_MS % 10 != 0
+#error STEP_MS must be 50 to 310, in steps of 10
+#endif
+#define RANGE_PERIOD_CS         (RANGE_PERIOD_MS / 10U)
 #define RANGE_READINGS(time_cs) (((time_cs) + RANGE_PERIOD_CS / 2U) / RANGE_PERIOD_CS)
 
 /* A distance, a clear road, or one of the faults; never a distance that means something else. */

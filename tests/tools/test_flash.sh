@@ -17,6 +17,10 @@ says stc_runs_stcgal 'stcgal -P stc89 -p /dev/x build/stc89c516rd/brake.hex' \
     make -n flash BOARD=stc89c516rd PORT=/dev/x
 says at89_runs_avrdude 'avrdude -C +firmware/boards/at89s52.conf -c avrisp -b 19200 -P /dev/x -p AT89S52 -U flash:w:build/at89s52/brake.hex:i' \
     make -n flash BOARD=at89s52 PORT=/dev/x
+says usbasp_needs_no_port 'avrdude -C +firmware/boards/at89s52.conf -c usbasp -b 19200 -P usb -p AT89S52' \
+    make -n flash BOARD=at89s52 PROGRAMMER=usbasp
+says stc_of_8_kb_runs_stcgal 'stcgal -P stc89 -p /dev/x build/stc89c52rc/brake.hex' \
+    make -n flash BOARD=stc89c52rc PORT=/dev/x
 says another_app_is_flashed 'build/at89s52/gap.hex' make -n flash BOARD=at89s52 PORT=/dev/x APP=gap
 says a_missing_board_is_named "the boards are: $(basename -as .mk firmware/boards/*.mk | xargs)" make flash
 says a_missing_port_is_named 'say where the chip is' "${at89s52[@]}"

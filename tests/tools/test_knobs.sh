@@ -15,6 +15,15 @@ refuses "a table of one input" 2 "the brake needs a table of two inputs" "${law[
 sed '/^\[Input2\]/,$!{s/Range=\[1 5\]/Range=[100 500]/; s/\[\([0-9]\) \([0-9]\) \([0-9]\)/[\100 \200 \300/; s/00 \([0-9]\)\]/00 \100]/}' tables/brake.fis >"$out/cm.fis"
 refuses "a table in centimetres" 2 "an axis is too long: at most 65.535 m or m/s from end to end" "${law[@]}" TABLE="$out/cm.fis"
 
+latch=(make BOARD=generic8052 OUT="$out" "$out/brake/brake/latch.rel")
+refuses "a step that the sensor cannot keep" 2 "STEP_MS must be 50 to 310, in steps of 10" "${latch[@]}" STEP_MS=40
+refuses "a release within STOP" 2 "RELEASE_MM must be STOP_MM to 6000" "${latch[@]}" STOP_MM=1500
+make -s BOARD=generic8052 OUT="$out" STOP_MM=1400 RELEASE_MM=1800 STEP_MS=80 FAULT_PCT=30 "$out/brake.ihx" || exit 2
+build/drive run --board generic8052 --hex "$out/brake.ihx" --scenario tests/loop/start_inside_1m.scn --uart "$out/said" \
+    --set ego.speed_mps=0 --set lead.gap_m=1.35 >/dev/null
+check "STOP_MM, STEP_MS: at 1.35 m it stands in STOP, a reading each 80 ms" \
+    awk -F, '/^[0-9]+,.*,STOP,0/ { if ($2 - before == 80) steps++; before = $2 } END { exit steps < 5 }' "$out/said"
+
 report=(tools/report/report.sh stc89c516rd)
 export REPORT_OUT=$out/report
 refuses "an image that is not there" 2 "no image 'nosuch'; the images are: brake tuned classic" env IMAGES='gap nosuch' "${report[@]}"
