@@ -15,10 +15,10 @@ packages_for() {
     build | sim) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
     unit) echo "$build parallel" ;;
-    test) echo "$build gnuplot-nox parallel rsync chromium avrdude clang-format-19 fuzzylite" ;;
+    test) echo "$build gnuplot-nox jq parallel rsync chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
-    report) echo "$build gnuplot-nox parallel rsync" ;;
+    report) echo "$build jq parallel rsync" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
     pictures) echo "$build gnuplot-nox pngquant" ;;
     format) echo "clang-format-19" ;;

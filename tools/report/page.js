@@ -24,17 +24,14 @@ function number(value, digits) {
 const seriesColour = (tab, image) => `var(--c${tab.images.find((one) => one.id === image).colour})`;
 const runOf = (tab, image, scenario) => tab.runs[`${image}/${scenario}`];
 const isPlayable = (tab, scenario) => tab.images.some((image) => runOf(tab, image.id, scenario)?.trace);
-const figureText = (id) => document.getElementById(`figure-${id}`)?.textContent;
 const groupOf = (tab, scenario) => tab.groups.find((group) => group.scenarios.includes(scenario));
 
 /* --- figures ---------------------------------------------------------------------------------- */
 
-function figure(id, caption) {
-    const text = figureText(id);
-    const element = make("figure");
-    if (text) element.innerHTML = text;
-    else element.append(make("p", { class: "note" }, "This figure could not be made."));
-    if (caption) element.append(make("figcaption", {}, caption));
+function figure(tab, block, item) {
+    const element = make("figure"), images = tab.images.filter((image) => item.images.includes(image.id));
+    element.innerHTML = figures[block.kind](tab, block, images, item.rows);
+    if (item.caption) element.append(make("figcaption", {}, item.caption));
     return element;
 }
 
@@ -136,7 +133,7 @@ function runTab(tab) {
     if (player) panel.append(player.element);
     for (const block of tab.figures)
         panel.append(make("section", { class: "card" }, make("h2", {}, block.title), make("p", { class: "note" }, block.caption),
-            make("div", { class: block.wide ? "figures wide" : "figures" }, ...block.items.map((item) => figure(item.id, item.caption)))));
+            make("div", { class: block.wide ? "figures wide" : "figures" }, ...block.items.map((item) => figure(tab, block, item)))));
     panel.append(all);
     if (player)
         player.onshow = (scenario) => all.querySelectorAll("tr.run").forEach((row) => row.classList.toggle("chosen", row.dataset.scenario === scenario));

@@ -99,9 +99,8 @@ function makePlayer(tab) {
         const ends = tab.images.map((image) => runOf(tab, image.id, state.scenario)?.trace?.t.at(-1) ?? 0);
         state.end_s = Math.max(...ends, 0.001);
         state.t_s = Math.min(state.t_s, state.end_s);
-        const text = figureText(`${tab.id}-trace-${state.scenario}`);
-        drawing.innerHTML = text ?? "";
-        trace.hidden = !text;
+        drawing.innerHTML = traceFigure(tab, state.scenario);
+        trace.hidden = !drawing.innerHTML;
         dim();
         const run = runOf(tab, state.image, state.scenario);
         outcome.replaceChildren(...(run?.expect ?? []).filter((one) => one.text !== "impact = any").map((one) =>
@@ -151,8 +150,7 @@ function makePlayer(tab) {
             return make("div", {}, make("span", {}, column.name),
                 make("b", {}, value == null || value === "" ? "–" : typeof value === "number" ? `${value.toFixed(column.digits)} ${column.unit}` : value));
         }));
-        /* The margins are those that trace.gp sets. */
-        const left = 0.11, right = 0.97;
+        const { left, right } = traceMargins;
         cursor.style.left = `${(left + (right - left) * state.t_s / state.end_s) * 100}%`;
         cursor.style.top = "2%";
         cursor.style.bottom = "8%";
