@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Says in one line what a linked program takes of its chip:
+# Prints in one line how much code and RAM of its chip a linked program takes:
 #     tools/memory.sh BOARD APP [FOLDER]        after the link of APP.ihx in FOLDER, build/BOARD
-# Of the stack it says what is there for it, and the most that any path through the program can take.
+# The line ends with the RAM that is left for the stack and the most that the stack can take.
 set -eu
 [ $# -eq 2 ] || [ $# -eq 3 ] || {
     echo "usage: memory.sh BOARD APP [FOLDER]" >&2

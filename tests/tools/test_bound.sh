@@ -20,7 +20,7 @@ refuses "an image that is not there" 1 'nosuch.ihx: error: cannot read the image
 refuses "a listing that is not there" 1 'nosuch.rst: error: cannot read the listing' build/bound "$board/gap.ihx" "$out/nosuch.rst"
 refuses "a listing of another image" 1 'link the image again' build/bound "$board/gap.ihx" "$board/follow/frames/frame.rst"
 refuses "a function that is not there" 1 "no function 'nosuch'" build/bound --cycles=nosuch "$board/gap.ihx" "$board/gap.map"
-refuses "a loop that no line bounds" 1 'a loop without a bound; write /* rounds: N */' build/bound --cycles=hal_trigger "$board/gap.ihx" "$board/gap.map"
+refuses "a loop that no line bounds" 1 'hal_trigger: a loop without a bound; do without this call, or give --loop=hal_trigger:N' build/bound --cycles=hal_trigger "$board/gap.ihx" "$board/gap.map"
 refuses "no image" 2 'Usage' build/bound
 refuses "RAM that no 8051 has" 2 'give a whole number in 128..256' build/bound --iram=64 "$board/gap.ihx"
 
@@ -36,6 +36,18 @@ END
 for kind in recursive pointer; do
     sdcc -mmcs51 "$out/$kind.c" -o "$out/$kind.ihx" 2>"$out/sdcc.log" || say "$kind.c compiles" 1 "$(cat "$out/sdcc.log")"
 done
+cat >"$out/divides.c" <<'END'
+volatile unsigned int a, b, c;
+static unsigned int ratio(unsigned int x) { return x / b; }
+void main(void) { for (;;) { c = ratio(a); } }
+END
+sdcc -mmcs51 "$out/divides.c" -o "$out/divides.ihx" 2>"$out/sdcc.log"
+divides=(build/bound --round=main "$out/divides.ihx" "$out/divides.map" "$out/divides.rst")
+refuses "a loop of SDCC's library" 1 "_divuint, called at $out/divides.c:2: a loop without a bound; do without this call, or give --loop=_divuint:N" "${divides[@]}"
+check "a bound for a loop of the library" sh -c '"$@" | grep -q "^main: at most [0-9]* cycles a round"' sh "${divides[@]}" --loop=_divuint:16
+refuses "a loop of no function" 1 "no function 'nosuch'" "${divides[@]}" --loop=nosuch:16
+refuses "a loop without number" 2 "--loop=_divuint: give FUNCTION:N" "${divides[@]}" --loop=_divuint
+
 refuses "recursion" 1 'calls itself' build/bound "$out/recursive.ihx"
 refuses "a call through a pointer" 1 'through a pointer' build/bound "$out/pointer.ihx"
 finish

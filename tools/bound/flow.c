@@ -17,8 +17,8 @@ struct node {
     int first, count; /* its successors */
 };
 
-/* A function: all that is reached from its entry without calls. Code that several functions jump to
- * belongs to each of them. */
+/* A function: all instructions that can be reached from its entry without a call. Code that several
+ * functions jump to is part of each of them. */
 struct function {
     struct node
         *nodes; /* the first one is no instruction: it leads to the entry, and nothing to it */
@@ -78,7 +78,7 @@ static void add_successor(struct function *function, int node)
     function->successors[function->successor_count++] = node;
 }
 
-/* Where `jmp @a+dptr` may go: SDCC's switch, a table of ljmp right behind it that dptr points to.
+/* The targets of `jmp @a+dptr`. SDCC uses it for switch: dptr points to a table of ljmp behind it.
  */
 static int switch_targets(const struct flow *flow, uint16_t address, uint16_t targets[SUCCESSORS])
 {
@@ -114,7 +114,7 @@ static bool follow_call(struct flow *flow, struct function *function, const stru
     return true;
 }
 
-/* Notes what NODE does to stack and interrupt levels. */
+/* Notes what NODE does to the stack pointer and to the priority of interrupts. */
 static bool note_effects(struct flow *flow, struct function *function, const struct node *node)
 {
     const uint8_t *code = &flow->hex->code[node->address];
@@ -143,7 +143,7 @@ static bool note_effects(struct flow *flow, struct function *function, const str
     return node->it.course != COURSE_CALL || follow_call(flow, function, node);
 }
 
-/* Where control may go after NODE. */
+/* Finds the instructions that may follow NODE. */
 static int targets_of(const struct flow *flow, const struct node *node,
                       uint16_t targets[SUCCESSORS])
 {
@@ -282,6 +282,7 @@ long flow_deepest(const struct flow *flow, uint16_t entry)
 /* The search for the longest path through part of a function. */
 struct search {
     struct flow *flow;
+    uint16_t entry;
     const struct function *function;
     int *part; /* of each node: the innermost loop under way that holds it; 0: the function */
     int parts;
@@ -353,8 +354,8 @@ static bool is_loop(const struct components *found, const int *members, int coun
     return false;
 }
 
-/* Whether a turn of a loop begins or ends with the instruction AT: its header, or a jump back to
- * that. */
+/* Returns whether a round of a loop begins or ends with the instruction AT: AT is the loop's
+ * header, or a jump back to the header. */
 static bool is_turning(const struct search *search, int at, int header)
 {
     const struct node *node = &search->function->nodes[at];
@@ -367,8 +368,62 @@ static bool is_turning(const struct search *search, int at, int header)
     return at == header;
 }
 
-/* What the source says of how often the loop of these nodes goes round, on the line where it turns.
- * A line speaks for one loop: the innermost that asks. */
+/* The function that the code at ADDRESS is part of: the last name before it. It is not always the
+ * function that was called, because a function may end with a jump to another one. */
+static uint16_t owner_of(const struct flow *flow, uint16_t address)
+{
+    while (address > 0 && flow->listing->names[address] == NULL) {
+        address--;
+    }
+    return address;
+}
+
+/* The source line that leads to the function OWNER, whose code the search came to: that of the jump
+ * in the function itself, or else that of the last call with a source line. NULL: none is known. */
+static const char *leading_line(const struct search *search, uint16_t owner)
+{
+    const struct flow *flow = search->flow;
+    uint16_t caller = flow->callers[search->entry];
+
+    for (int i = 1; i < search->function->node_count && owner != search->entry; i++) {
+        const struct node *node = &search->function->nodes[i];
+
+        if (node->it.target == owner && flow->listing->places[node->address] != NULL) {
+            return flow->listing->places[node->address];
+        }
+    }
+    while (caller != 0 && flow->listing->places[caller] == NULL) {
+        caller = flow->callers[flow->owners[caller]];
+    }
+    return flow->listing->places[caller];
+}
+
+/* The loop at ADDRESS has no bound. A function of SDCC's library has no source line: the message
+ * names the function, and the line of ours that leads to it. */
+static bool complain_of_loop(const struct search *search, uint16_t address)
+{
+    const struct flow *flow = search->flow;
+    uint16_t owner = owner_of(flow, address);
+    const char *line = flow->listing->places[address], *name = listing_name(flow->listing, owner);
+
+    if (line != NULL) {
+        diag_error(flow->path, 0,
+                   "at 0x%04X (%s): a loop without a bound; write /* rounds: N */ on the line of "
+                   "its condition, or give --loop=%s:N",
+                   address, line, name);
+        return false;
+    }
+    line = leading_line(search, owner);
+    diag_error(
+        flow->path, 0,
+        "%s%s%s: a loop without a bound; do without this call, or give --loop=%s:N, the most "
+        "rounds of each of its loops",
+        name, line != NULL ? ", called at " : "", line != NULL ? line : "", name);
+    return false;
+}
+
+/* Finds how many rounds the loop of these nodes has at most: the `rounds:` comment on the source
+ * line of its condition. A comment is valid for one loop, the innermost one on its line. */
 static bool find_rounds(struct search *search, const int *members, int count, int header,
                         long *rounds)
 {
@@ -392,9 +447,10 @@ static bool find_rounds(struct search *search, const int *members, int count, in
         turn = listing->places[address];
     }
     if (turn == NULL) {
-        return complain(
-            search->flow, nodes[header].address,
-            "a loop without a bound; write /* rounds: N */ on the line of its condition");
+        uint16_t address = nodes[header].address;
+
+        *rounds = search->flow->rounds[owner_of(search->flow, address)];
+        return *rounds > 0 || complain_of_loop(search, address);
     }
     for (int i = 0; i < search->function->node_count; i++) {
         const char *other = listing->places[nodes[i].address];
@@ -423,8 +479,8 @@ static bool is_endless(const struct search *search, const int *members, int coun
     return true;
 }
 
-/* The longest ways through the loop of these nodes, whose dist is known at its header: its longest
- * turn as often as the source allows, then the way out. */
+/* The longest paths through the loop of these nodes. dist is known at the loop's header. The
+ * longest round is taken as often as the source says, then the way out of the loop. */
 static bool pass_loop(struct search *search, const int *members, int count, int header, long *dist)
 {
     int outer = search->part[header], inner = ++search->parts;
@@ -454,21 +510,24 @@ static bool pass_loop(struct search *search, const int *members, int count, int 
     return is_good;
 }
 
-/* Cycles of one node, with what it calls. */
+/* Cycles of one instruction, with those of the function that it calls. */
 static bool cost(struct search *search, int at, long *cycles)
 {
     const struct node *node = &search->function->nodes[at];
     long callee = 0;
 
-    if (node->it.course == COURSE_CALL &&
-        !flow_cycles(search->flow, node->it.target, false, &callee)) {
-        return false;
+    if (node->it.course == COURSE_CALL) {
+        search->flow->callers[node->it.target] = node->address;
+        search->flow->owners[node->address] = search->entry;
+        if (!flow_cycles(search->flow, node->it.target, false, &callee)) {
+            return false;
+        }
     }
     *cycles = node->it.cycles + callee;
     return true;
 }
 
-/* Hands the path that ends in AT on to its successors outside its component. */
+/* Extends the path that ends in AT to the successors of AT outside its component. */
 static void relax(const struct components *found, int at, long *dist)
 {
     const struct function *function = found->search->function;
@@ -484,7 +543,8 @@ static void relax(const struct components *found, int at, long *dist)
     }
 }
 
-/* One component, whose members' dist is what leads up to them: makes it what it is after them. */
+/* One component: before, dist is the longest time up to each of its nodes; afterwards, the longest
+ * time to the end of each. */
 static bool pass_component(struct search *search, const struct components *found,
                            const int *members, int count, long *dist)
 {
@@ -511,8 +571,8 @@ static bool pass_component(struct search *search, const struct components *found
     return pass_loop(search, members, count, header, dist);
 }
 
-/* For each node of the PART: dist, the most cycles from HEADER's begin to that node's end; and
- * turn, the most from HEADER back to it, 0 if nothing leads back. */
+/* Finds for each node of the PART dist, the most cycles from the start of HEADER to the end of the
+ * node; and turn, the most cycles from HEADER back to HEADER, 0 if there is no way back. */
 static bool longest(struct search *search, int part, int header, long *dist, long *turn)
 {
     int nodes = search->function->node_count;
@@ -565,7 +625,7 @@ static bool longest(struct search *search, int part, int header, long *dist, lon
 bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
 {
     struct function *function;
-    struct search search = {.flow = flow, .endless = NONE};
+    struct search search = {.flow = flow, .entry = entry, .endless = NONE};
     long *dist, turn;
     bool is_good;
 

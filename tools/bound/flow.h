@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Every path through an image: how deep its stack can get, how long its functions can take. Nothing
- * is run: what is found holds for whatever the inputs are. A path that the data rule out counts all
- * the same, so figures are upper bounds. */
+/* Follows every path through an image and finds the deepest stack and the longest time. Nothing is
+ * run, so the result holds for all inputs. A path that the data never allow counts, too; so each
+ * figure is an upper bound. */
 #ifndef FUZZY51_FLOW_H
 #define FUZZY51_FLOW_H
 
@@ -23,34 +23,39 @@ struct flow {
     const struct listing *listing;
     const char *path; /* of the image, for messages */
     struct function *functions[HEX_CODE_SIZE];
-    bool is_code[HEX_CODE_SIZE + 2]; /* followed so far */
-    uint8_t vectors;                 /* in use: bit n is the one at 8 n + 3 */
-    int stack_base;                  /* SP as the start-up sets it; -1: not found yet */
-    uint8_t high; /* interrupts that begin at a higher level: bits as in vectors */
+    bool is_code[HEX_CODE_SIZE + 2]; /* the bytes of all instructions found so far */
+    uint8_t vectors;                 /* interrupts in use: bit n is the vector at 8 n + 3 */
+    int stack_base; /* the value that the start-up code gives SP; -1: not found yet */
+    uint16_t
+        callers[HEX_CODE_SIZE]; /* of a function: the call that the search for cycles took last */
+    uint16_t owners[HEX_CODE_SIZE]; /* of such a call: the function that it is in */
+    long rounds[HEX_CODE_SIZE];     /* of each loop of the function at this address; 0: not given */
+    uint8_t high;                   /* interrupts of the high priority level: bits as in vectors */
 };
 
-/* All functions from here on return false after a message: the image does what cannot be followed
- * (a jump or a call through a pointer, recursion, a stack pointer of its own). */
+/* Each function from here on that returns bool returns false after a message on stderr: the image
+ * has something that cannot be followed, such as a call through a pointer or recursion. */
 
 void flow_init(struct flow *flow, const struct hexfile *hex, const struct listing *listing,
                const char *path);
 void flow_free(struct flow *flow);
 
-/* Follows all code from reset and from the vectors in use. */
+/* Follows all code from the reset vector and from the interrupt vectors in use. */
 bool flow_follow(struct flow *flow);
 
-/* Whether vector N, 0..FLOW_INTERRUPTS-1, is in use, and its routine's address. */
+/* Returns whether the vector N, 0..FLOW_INTERRUPTS-1, is in use, and sets *ENTRY to the address of
+ * its routine. */
 bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry);
 
-/* The most bytes of stack below a call of ENTRY, its return address and those of all calls below
- * included. */
+/* The most bytes of stack that a call of ENTRY takes, with its own return address and all that the
+ * functions which it calls take. */
 int flow_stack(const struct flow *flow, uint16_t entry);
 
-/* Where that is: the callee on the deepest path, or -1: in ENTRY itself. */
+/* The function that ENTRY calls on its deepest path, or -1 if ENTRY itself is the deepest. */
 long flow_deepest(const struct flow *flow, uint16_t entry);
 
-/* The most machine cycles from the call of ENTRY to its return, the call itself not counted; with
- * is_round from one turn of its endless loop to the next. Interrupts come on top. */
+/* The most machine cycles of ENTRY, from its first instruction to its return; with is_round, those
+ * of one round of its endless loop. The time of interrupts is not included. */
 bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles);
 
 #endif

@@ -35,7 +35,8 @@ void listing_free(struct listing *listing)
     }
 }
 
-/* SDCC puts a line below a C name. Where a file's own name and another one meet, the first holds.
+/* SDCC writes an underscore before a C name. If two files have a static function of one name, the
+ * first one is taken.
  */
 static void name_it(struct listing *listing, unsigned long address, const char *name, size_t length)
 {
@@ -46,7 +47,7 @@ static void name_it(struct listing *listing, unsigned long address, const char *
     listing->names[address] = copy(name + 1, length - 1);
 }
 
-/* Where in a listing a line stands: its area, and the source line that it comes from. */
+/* The position in a listing: the current area and the current source line. */
 struct source {
     bool is_code;
     char *place;
@@ -69,7 +70,8 @@ static void read_source(struct source *source, const char *comment)
         bound == NULL ? LISTING_NO_BOUND : strtol(bound + strlen("rounds: "), NULL, 10);
 }
 
-/* Whether the bytes that the listing shows stand in the image: " E5 32            [12]  238 ...".
+/* Returns whether the image has the bytes that the listing shows: " E5 32            [12]  238
+ * ...".
  */
 static bool is_of(const struct hexfile *hex, unsigned long address, const char *text)
 {
@@ -87,8 +89,8 @@ static bool is_of(const struct hexfile *hex, unsigned long address, const char *
     return true;
 }
 
-/* "      000673 E5 32            [12]  238 	mov ..." is an instruction, the same without bytes a
- * label. Returns false when it is of another image. */
+/* "      000673 E5 32            [12]  238 	mov ..." is an instruction; without bytes it
+ * is a label. Returns false if the image has other bytes there. */
 static bool read_line(struct listing *listing, const struct hexfile *hex, struct source *source,
                       const char *line)
 {

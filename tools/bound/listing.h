@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the linker's listings (.rst) and its map say of addresses: names of functions, the source
- * line that an instruction comes from, and how often a loop goes round. */
+/* Reads the linker's map and listings (.rst): the names of functions, the source line of each
+ * instruction, and the comments that say how many rounds a loop has. */
 #ifndef FUZZY51_LISTING_H
 #define FUZZY51_LISTING_H
 
@@ -19,17 +19,17 @@ struct listing {
 void listing_init(struct listing *listing);
 void listing_free(struct listing *listing);
 
-/* Adds one .rst or .map file of the image HEX. A source line that holds the words "rounds: N" says
- * that the loop it belongs to goes round at most N times each time it is entered. Returns
- * EXIT_FINE, or EXIT_INPUT after a message: a listing of another image among them, for linking a
- * module again, into whatever, writes its listing anew. */
+/* Adds one .rst or .map file of the image HEX. The words "rounds: N" on a source line say that the
+ * loop on this line has at most N rounds each time that it is entered. Returns EXIT_FINE, or
+ * EXIT_INPUT after a message. The listing of another image is an error: the linker overwrites a
+ * module's listing each time that it links the module. */
 int listing_read(struct listing *listing, const struct hexfile *hex, const char *path);
 
 /* The address of the function NAME, or -1. */
 long listing_find(const struct listing *listing, const char *name);
 
-/* What to call the code at ADDRESS: its function's name, else its address. The text lasts until the
- * eighth next call. */
+/* The name of the function at ADDRESS, or the address as text if it has no name. The text is valid
+ * until the eighth next call. */
 const char *listing_name(const struct listing *listing, uint16_t address);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* bound: what an image can take at most, of stack and of time, whatever its inputs. */
+/* bound: the most stack and the most time that an image can take, for all inputs. */
 #include "diag.h"
 #include "flow.h"
 
@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-enum { WORDS = 64, NAMES = 64, OPT_CYCLES = 256, OPT_ROUND, OPT_IRAM };
+enum { WORDS = 64, NAMES = 64, OPT_CYCLES = 256, OPT_ROUND, OPT_LOOP, OPT_IRAM };
 
 const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
 
@@ -17,14 +17,22 @@ struct arguments {
     const char *names[NAMES];
     bool is_round[NAMES];
     int name_count;
+    const char *loops[NAMES]; /* "FUNCTION:N" */
+    int loop_count;
     int iram;
 };
 
 static const struct argp_option options[] = {
     {"cycles", OPT_CYCLES, "FUNCTION", 0,
-     "also the most machine cycles that this function takes; may be repeated", 0},
-    {"round", OPT_ROUND, "FUNCTION", 0, "also those of one round of its endless loop", 0},
-    {"iram", OPT_IRAM, "N", 0, "bytes of internal RAM, 128..256 (256)", 0},
+     "also print the most machine cycles of this function; may be repeated", 0},
+    {"round", OPT_ROUND, "FUNCTION", 0,
+     "also print the most machine cycles of one round of this function's endless loop", 0},
+    {"loop", OPT_LOOP, "FUNCTION:N", 0,
+     "each loop of this function without a `rounds:` comment has at most N rounds each time that "
+     "it "
+     "is entered; may be repeated",
+     0},
+    {"iram", OPT_IRAM, "N", 0, "bytes of the chip's internal RAM, 128..256 (default 256)", 0},
     {0},
 };
 
@@ -41,6 +49,12 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         }
         arguments->is_round[arguments->name_count] = key == OPT_ROUND;
         arguments->names[arguments->name_count++] = text;
+        return 0;
+    case OPT_LOOP:
+        if (arguments->loop_count == NAMES) {
+            argp_error(state, "more than %d loops", NAMES);
+        }
+        arguments->loops[arguments->loop_count++] = text;
         return 0;
     case OPT_IRAM:
         arguments->iram = (int)strtol(text, &end, 10);
@@ -77,7 +91,7 @@ static const struct argp parser = {
            "fine; 1 the stack does not fit, or the image cannot be followed; 2 bad usage.",
 };
 
-/* "measure > control_step > brake_step": the deepest path from ENTRY on. */
+/* Prints the deepest path from ENTRY on: "measure > control_step > brake_step". */
 static void print_path(const struct flow *flow, long entry)
 {
     printf("%s", listing_name(flow->listing, (uint16_t)entry));
@@ -86,8 +100,8 @@ static void print_path(const struct flow *flow, long entry)
     }
 }
 
-/* Interrupts of one level do not meet; one of the high level may begin within one of the low one.
- * Sets the stack that they take together. */
+/* Two interrupts of one priority level never run at the same time; one of the high level may
+ * interrupt one of the low level. Sets *STACK to what they take together. */
 static int print_interrupts(struct flow *flow, int *stack)
 {
     int most[2] = {0, 0};
@@ -130,8 +144,8 @@ static int print_stack(struct flow *flow, int iram)
     }
     return diag_error(
         flow->path, 0,
-        "the stack may take %d bytes, and %d are free, one of which must stay so; call less "
-        "deeply or give RAM back",
+        "the stack may take %d bytes, and %d are free, of which one byte must stay free; call less "
+        "deeply, or use less RAM",
         most, room);
 }
 
@@ -155,6 +169,30 @@ static int print_cycles(struct flow *flow, const struct arguments *arguments)
     return EXIT_FINE;
 }
 
+/* "FUNCTION:N" of --loop. */
+static int take_loops(struct flow *flow, const struct arguments *arguments)
+{
+    for (int i = 0; i < arguments->loop_count; i++) {
+        char name[256], rest;
+        long rounds, entry;
+
+        if (sscanf(arguments->loops[i], "%255[^:]:%ld%c", name, &rounds, &rest) != 2 ||
+            rounds < 1 || rounds > 1000000) {
+            diag_error("bound", 0, "--loop=%s: give FUNCTION:N, N in 1..1000000",
+                       arguments->loops[i]);
+            return EXIT_USAGE;
+        }
+        entry = listing_find(flow->listing, name);
+        if (entry < 0) {
+            return diag_error(flow->path, 0,
+                              "no function '%s' in it; its .map and .rst files name those that are",
+                              name);
+        }
+        flow->rounds[entry] = rounds;
+    }
+    return EXIT_FINE;
+}
+
 int main(int argc, char **argv)
 {
     static struct arguments arguments = {.iram = 256};
@@ -173,6 +211,9 @@ int main(int argc, char **argv)
     status = EXIT_FINE;
     for (int i = 1; i < arguments.word_count && status == EXIT_FINE; i++) {
         status = listing_read(&listing, &hex, arguments.words[i]);
+    }
+    if (status == EXIT_FINE) {
+        status = take_loops(&flow, &arguments);
     }
     if (status == EXIT_FINE) {
         status = flow_follow(&flow) ? print_stack(&flow, arguments.iram) : EXIT_INPUT;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "opcode.h"
 
-/* Of the opcodes 0x00..0xFF, a row of 16 each; from the data sheet. */
+/* A character for each opcode 0x00..0xFF, 16 in a row; from Intel's manual. */
 static const char bytes_of[16][17] = {
     "1231121111111111", "3231121111111111", "3211221111111111", "3211221111111111",
     "2223221111111111", "2223221111111111", "2223221111111111", "2221232222222222",
@@ -34,7 +34,7 @@ static bool is_relative(uint8_t opcode)
     }
 }
 
-/* Whether the byte at 0x81 is what OPCODE writes; its operands follow. */
+/* Returns whether OPCODE, with these operands, writes the byte at the address DIRECT. */
 static bool writes(const uint8_t *operands, uint8_t opcode, uint8_t direct)
 {
     switch (opcode) {

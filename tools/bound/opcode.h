@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The 8051's instructions as far as a path through a program needs them. */
+/* The 8051's instructions: what bound must know to follow a program. */
 #ifndef FUZZY51_OPCODE_H
 #define FUZZY51_OPCODE_H
 

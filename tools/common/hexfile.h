@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Looks at an Intel HEX image before the simulator gets it: s51 itself runs an empty chip when the
- * image is missing or broken, and says so nowhere. */
+/* Reads an Intel HEX image. drive checks an image with it before the simulator reads it, because
+ * s51 runs an empty chip without a message if the image is missing or broken. */
 #ifndef FUZZY51_HEXFILE_H
 #define FUZZY51_HEXFILE_H
 
@@ -16,8 +16,8 @@ struct hexfile {
     size_t bytes; /* how many are used */
 };
 
-/* Reads PATH. Returns EXIT_FINE, or EXIT_USAGE after a message that names the fault and the line.
- */
+/* Reads the file PATH. Returns EXIT_FINE, or EXIT_USAGE after a message with the fault and its
+ * line. */
 int hexfile_read(struct hexfile *hex, const char *path);
 
 #endif

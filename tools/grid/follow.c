@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Every start of the follower's grid, with the firmware's own decision compiled for the host and
- * the plant of drive. One line of CSV a start. The Makefile builds it once for each rule set. */
+/* Runs each start of the follower's grid, with the firmware's own decision compiled for the host
+ * and drive's model of the robots. Prints one line of CSV a start. make builds it once for each
+ * rule set. */
 #include "follow.h"
 #include "robots.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The parking controller's verdicts over the study's 3,780 starts: X -20..20 m and Y 2..30 m by 2
- * m, heading -90..240 degrees by 30. One line a start: how the firmware's integer model ends, in
- * Euler steps of 20 ms at 5 m/s, and whether a floating-point model of the same laws succeeds, too.
- */
+/* Runs the parking controller from the 3,780 starts of the study: x from -20 to 20 m and y from 2
+ * to 30 m in steps of 2 m, heading from -90 to 240 degrees in steps of 30. The car drives at 5 m/s
+ * in Euler steps of 20 ms. Prints one line of CSV a start: the end with the firmware's own
+ * decision, in integers, and whether the same laws in floating point park the car, too. */
 #include "cc51.h"
 #include "park.h"
 #include "lut_table.h"
@@ -16,7 +16,7 @@ enum { STEPS = 5000 };
 
 static double firmware_rad(const struct truck *truck)
 {
-    /* Out of its frame's range the controller refuses and keeps its wheel. */
+    /* Outside the range of its frame the controller refuses and keeps its steering angle. */
     if (fabs(truck->x_m) * 512 > PARK_X_MAX_512 || truck->y_m * 512 > PARK_Y_MAX_512) {
         return park.theta * 2 * M_PI / 65536;
     }
