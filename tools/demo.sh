@@ -8,6 +8,7 @@ board=${1:-stc89c516rd}
 app=${2:-brake}
 out=build/demo
 scenario=
+# shellcheck disable=SC2013  # names of scenarios have no blanks
 for file in $(grep -lr '^demo = yes' tests/loop); do
     of=$(sed -n 's/^app = //p' "$file")
     [ "${of:-brake}" != "$app" ] || scenario=$file

@@ -11,6 +11,7 @@ sed -n '/^### \[scenario\]/,/^## /{/^## /d;p}' $page | sed '${/^$/d}' >"$out/sho
 $drive keys >"$out/keys"
 diff "$out/keys" "$out/shown" >"$out/diff"
 say "the tables of keys are what drive keys prints" $? "$(head -n 4 "$out/diff"); put the output of build/drive keys there"
+# shellcheck disable=SC2013  # names of worlds have no blanks
 for app in $(sed -n 's/^WORLD(\(.*\))$/\1/p' build/worlds.h); do
     $drive keys "$app" >"$out/app" && grep -q '^### \[scenario\]' "$out/app" && ! grep -q '|  |  |  |' "$out/app"
     say "the keys of $app" $? "$(head -n 3 "$out/app")"
