@@ -72,14 +72,15 @@ static void pack_brake(const char *repair)
 {
     const struct table_options options = {.infer = {.samples = INFER_SAMPLES}, .levels = 100};
     struct repair_report report;
-    struct law law;
+    struct laws laws = {0};
     struct table table;
     struct fis fis;
 
     TEST_ASSERT_EQUAL(EXIT_FINE, fis_read("tables/brake.fis", &fis));
     TEST_ASSERT_EQUAL(EXIT_FINE, table_make(&fis, &options, &table));
-    if (repair != NULL && law_parse(repair, &law)) {
-        repair_output(&table, 0, &law, &report);
+    if (repair != NULL) {
+        TEST_ASSERT_TRUE(laws_add(&laws, repair));
+        repair_output(&table, 0, laws_of(&laws, 0), &report);
     }
     memcpy(cells, table.cell[0], table.cells * sizeof *cells);
     table_free(&table);
