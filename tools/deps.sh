@@ -12,7 +12,7 @@ unity=build/deps/unity
 packages_for() {
     build="gcc make libc6-dev sdcc sdcc-libraries sdcc-ucsim libinih-dev libcjson-dev"
     case $1 in
-    build | sim) echo "$build" ;;
+    build | sim | attack) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
     unit) echo "$build parallel" ;;
     test) echo "$build gnuplot-nox jq parallel rsync chromium avrdude clang-format-19 fuzzylite" ;;
@@ -26,7 +26,7 @@ packages_for() {
     flash) echo "avrdude pipx" ;;
     debian) echo "mmdebstrap git" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
         exit 2
         ;;
     esac

@@ -35,13 +35,18 @@ static void settle(void)
     }
 }
 
+static void raise(uint8_t least_pct)
+{
+    if (demand_pct < least_pct) {
+        demand_pct = least_pct;
+    }
+}
+
 /* FAULT begins. The brake never falls for want of a reading. */
 static void demand_fault(void)
 {
 #if FAULT_PCT > 0
-    if (demand_pct < FAULT_PCT) {
-        demand_pct = FAULT_PCT;
-    }
+    raise(FAULT_PCT);
 #else
     demand_pct = 0;
 #endif
@@ -83,8 +88,10 @@ extern inline bool brake_must_stop(uint16_t dist_mm);
 /* In FAULT nothing lowers the demand. */
 static void demand(uint8_t wanted_pct)
 {
-    if (fault_state == FAULT_GOOD || wanted_pct > demand_pct) {
+    if (fault_state == FAULT_GOOD) {
         demand_pct = wanted_pct;
+    } else {
+        raise(wanted_pct);
     }
 }
 
@@ -124,7 +131,6 @@ static uint8_t find_trouble(void)
     if (range_reading.kind == RANGE_NO_TARGET) {
         return target_clear();
     }
-    target_missing();
     return (uint8_t)(range_reading.kind - RANGE_NOT_RISEN + BRAKE_FAULT_NOT_RISEN);
 }
 
@@ -150,8 +156,15 @@ void brake_step(uint8_t kind, uint16_t dist_mm)
         if (is_believed) {
             demand_for_target();
         }
-    } else if (is_believed && target_worth == TARGET_NONE) {
-        demand_nothing();
+    } else if (target_worth == TARGET_NONE) {
+        if (is_believed) {
+            demand_nothing();
+        }
+    } else if (is_in_reach && fault_state != FAULT_LASTING &&
+               (uint8_t)(CLOSING_LAW.closing_mmps >> 8) >= BRAKE_APPROACH_MMPS / 256U) {
+        /* An echo is missing, and the target has come nearer since the last one. Foreseen below
+         * 0 mm, modulo 2^16, it is at the table's far end, where the law says least. */
+        raise(law_pct(closing_foreseen_mm, &CLOSING_LAW));
     }
     settle();
 }

@@ -8,6 +8,8 @@
  *   believed, an echo beyond it               0
  *   believed, clear, and ends the target      0
  *   any other                                 held
+ *   missing, and the target closes at         held, or the law's for where it is foreseen, where
+ *   BRAKE_APPROACH_MMPS or more               that is more
  *   in FAULT, any                             held, or the law's where that is more
  *   the first in FAULT                        at least FAULT_PCT; 0 where that is 0
  *
@@ -25,6 +27,9 @@
 
 /* A target that was within the law's reach leaves it so far beyond its end. */
 #define BRAKE_SLACK_FAR_MM 80U
+
+/* A target that closes so fast is braked for where it must be by now, when its echo is missing. */
+#define BRAKE_APPROACH_MMPS 1024U /* a multiple of 256 */
 
 /* The brake in FAULT, a board's choice: a car without a driver must come to rest. With 0 the driver
  * has the brake. */

@@ -20,7 +20,7 @@
 /* The end of the table is every law's reach. */
 #define LAW_FAR_MM ((uint16_t)(LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI))
 
-/* What a law says: percent, 0..100, and the cell that it looked into (0, 0: none). */
+/* What a law says: percent, 0..100, and the cell that it looked into last. */
 struct law_answer {
     uint8_t brake_pct;
     uint8_t row, col;

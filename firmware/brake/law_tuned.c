@@ -51,8 +51,6 @@ void law_step(uint8_t worth, uint16_t dist_mm)
         return;
     }
     law_answer.brake_pct = 0;
-    law_answer.row = 0;
-    law_answer.col = 0;
     look_at_first_sight(worth, dist_mm);
 }
 

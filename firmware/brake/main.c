@@ -19,7 +19,7 @@
 #endif
 
 static uint8_t tick; /* seen, as hal_ticks counts */
-static uint16_t seconds, milliseconds;
+static __idata uint16_t seconds, milliseconds;
 
 /* One bit that turns over does not start the self-test again, in which the brake does not act. */
 enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
@@ -99,7 +99,7 @@ static void control_step(uint8_t echo)
     } else if (echo == HAL_ECHO_DONE) {
         dist_mm = range_mm(hal_echo_cycles());
         kind = range_kind(dist_mm);
-        if (kind == RANGE_ECHO && brake_must_stop(dist_mm) && !brake.stop) {
+        if (kind == RANGE_ECHO && brake_must_stop(dist_mm)) {
             hal_stop_set(true); /* before estimator and table, whatever they say */
         }
     }

@@ -13,7 +13,8 @@ static uint8_t since_cs;       /* the target's last reading */
 static uint8_t since_aside_cs; /* the echo aside; LONG_AGO_CS: there is none */
 static uint16_t aside_mm;
 
-static __bit was_clear; /* the last reading */
+static __bit was_clear; /* the reading before this one */
+static __bit is_clear;  /* this one */
 static __bit is_moving; /* the target cannot have come to rest */
 static __bit was_near;  /* the target, when it was tracked last */
 
@@ -42,7 +43,7 @@ void target_init(void)
     since_cs = LONG_AGO_CS;
     set_target_aside();
     drop();
-    was_clear = false;
+    is_clear = false;
     is_moving = false;
     was_near = false;
     clears = 0;
@@ -78,6 +79,8 @@ void target_expect(uint8_t elapsed_cs)
     }
     since_cs = later_cs(since_cs, elapsed_cs);
     since_aside_cs = later_cs(since_aside_cs, elapsed_cs);
+    was_clear = is_clear;
+    is_clear = false;
     is_moving = false;
     if (stuck_readings != 0) {
         stuck_readings--;
@@ -175,16 +178,14 @@ uint8_t target_echo(uint16_t dist_mm)
         return BRAKE_FAULT_STUCK;
     }
     worth = judge();
-    was_clear = false;
     if (worth == TARGET_NONE) {
         aside_mm = echo_mm;
         since_aside_cs = 0;
         return BRAKE_FAULT_JUMP;
     }
+    since_aside_cs = LONG_AGO_CS;
     if (worth == TARGET_ENTERED_LATE) {
         set_target_aside();
-    } else {
-        since_aside_cs = LONG_AGO_CS;
     }
     target_worth = worth;
     if (worth == TARGET_TRACKED) {
@@ -208,7 +209,7 @@ uint8_t target_clear(void)
 {
     uint8_t clears_to_end = TARGET_GLIMPSE_CLEARS;
 
-    was_clear = true;
+    is_clear = true;
     if (target_worth >= TARGET_NEW) {
         clears_to_end = TARGET_FAR_CLEARS;
         if (target_worth == TARGET_TRACKED &&
@@ -230,9 +231,4 @@ uint8_t target_clear(void)
     was_near = false;
     clears = 0;
     return BRAKE_FAULT_NONE;
-}
-
-void target_missing(void)
-{
-    was_clear = false;
 }

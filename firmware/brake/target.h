@@ -81,11 +81,10 @@ void target_init(void);
  * whatever comes of it. Up to 600 mc. */
 void target_expect(uint8_t elapsed_cs);
 
-/* It came: an echo, 0..RANGE_MAX_MM; a clear road; neither. BRAKE_FAULT_NONE if it is believed,
+/* It came: an echo, 0..RANGE_MAX_MM, or a clear road. BRAKE_FAULT_NONE if it is believed,
  * else why not (fault.h). After an echo that is believed the speeds of closing.h are up to date,
  * but for the one estimator that closing.h lets wait. Up to 350 mc. */
 uint8_t target_echo(uint16_t dist_mm);
 uint8_t target_clear(void);
-void target_missing(void);
 
 #endif

@@ -204,9 +204,10 @@ for board; do
         *) table= ;;
         esac
         echo "$board, $app, at $((clk_hz / 1000)) kHz:"
-        row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" 1000 mc
-        row 'of it the step alone, mc' "$(value "$board" $app step_most)" 1000 mc
-        printf '    %-46s %8s\n' 'no path of it takes more, mc' "$(bounded "$board" $app control_step)"
+        # A part of the main loop's round, then the step.
+        row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" 2000 mc
+        row 'the step alone, mc' "$(value "$board" $app step_most)" 1500 mc
+        row 'no path of the step takes more, mc' "$(bounded "$board" $app control_step)" 1500 mc
         row 'echo end to STOP pin, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
         # The step, 0.3 ms of notice for the PWM, and a period of it.
         row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" 11300 us

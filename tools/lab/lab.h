@@ -35,10 +35,10 @@ struct figures lab_stop_and_go(const struct image *image, double driver_mps2, in
 void lab_print(FILE *out, const struct image *images, int count, int runs);
 
 /* Prints, for each controller, how often stray, missing and coarse readings make it hit or stop for
- * good: ROUNDS runs of each situation. */
+ * good, and how often a sensor that hangs is not found. */
 void lab_print_trouble(FILE *out, const struct image *images, int count);
 
-/* Drives 10,000 scenarios of chance from SEED on and prints what nobody would expect of a brake.
+/* Drives RUNS scenarios of chance from SEED on and prints what nobody would expect of a brake.
  * FIRST brakes fully at first sight, as a measure. Returns how many runs were flagged. */
 int lab_attack(FILE *out, const struct image *image, const struct image *first, long seed,
                long runs);
