@@ -48,7 +48,12 @@ struct head_settings {
     struct frame_fault faults[HEAD_FAULTS];
 };
 
-extern const struct section head_section, frame_section;
+/* Section [noise] of a head that measures a car ahead: standard deviations. */
+struct head_noise {
+    double gap_m, own_mps, lead_mps, lead_mps2;
+};
+
+extern const struct section head_section, frame_section, head_noise_section;
 
 /* For the section table of a world with a head: where its struct head_settings is. */
 #define HEAD_SECTIONS(type, member)                                                                \

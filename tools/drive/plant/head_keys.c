@@ -94,3 +94,26 @@ const struct section frame_section = {.name = "frame",
                                       SECTION_KEYS(frame_keys),
                                       .size = sizeof(struct frame_fault),
                                       .check = check_frame};
+
+#define AT(member) offsetof(struct head_noise, member)
+static const struct key noise_keys[] = {
+    {.name = "gap_m", .meaning = "standard deviation of the gap", .at = AT(gap_m), .high = 10},
+    {.name = "own_mps",
+     .meaning = "standard deviation of the own speed",
+     .at = AT(own_mps),
+     .high = 5},
+    {.name = "lead_mps",
+     .meaning = "standard deviation of the speed of the one ahead",
+     .at = AT(lead_mps),
+     .high = 5},
+    {.name = "lead_mps2",
+     .meaning = "standard deviation of the acceleration of the one ahead",
+     .at = AT(lead_mps2),
+     .high = 5},
+};
+#undef AT
+
+const struct section head_noise_section = {.name = "noise",
+                                           .meaning = "noise of what the head measures",
+                                           SECTION_KEYS(noise_keys),
+                                           .size = sizeof(struct head_noise)};

@@ -75,6 +75,10 @@ struct scenario {
 /* The sections that worlds share. */
 extern const struct section scenario_section, ego_section, lead_section, uart_section;
 
+/* The keys of [lead] for a sensor that never misses an echo. */
+#define LEAD_KEYS_OF_A_HEAD                                                                        \
+    "gap_m speed_mps lane change_s change_mps2 change_to_mps profile appears_s leaves_s"
+
 /* For a struct section_use: where the values go, in struct scenario or in a world's settings. */
 #define AT_SCENARIO(member)       .at = offsetof(struct scenario, member)
 #define AT_SETTINGS(type, member) .at = offsetof(struct scenario, settings) + offsetof(type, member)

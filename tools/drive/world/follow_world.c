@@ -19,9 +19,7 @@ struct follow_settings {
     struct {
         double lead_mps; /* of the robot in the other lane; unset: that lane is taken */
     } lane;
-    struct {
-        double gap_m, own_mps, lead_mps; /* standard deviations */
-    } noise;
+    struct head_noise noise;
     struct head_settings head;
 };
 
@@ -43,27 +41,6 @@ static const struct section lane_section = {.name = "lane",
                                             SECTION_KEYS(lane_keys),
                                             .size = sizeof(((struct follow_settings *)NULL)->lane)};
 
-#define AT(member)                                                                                 \
-    offsetof(struct follow_settings, noise.member) - offsetof(struct follow_settings, noise)
-static const struct key noise_keys[] = {
-    {.name = "gap_m", .meaning = "standard deviation of the gap", .at = AT(gap_m), .high = 10},
-    {.name = "own_mps",
-     .meaning = "standard deviation of the own speed",
-     .at = AT(own_mps),
-     .high = 2},
-    {.name = "lead_mps",
-     .meaning = "standard deviation of the speed of the robot ahead",
-     .at = AT(lead_mps),
-     .high = 2},
-};
-#undef AT
-
-static const struct section noise_section = {.name = "noise",
-                                             .meaning = "noise of what the head measures",
-                                             SECTION_KEYS(noise_keys),
-                                             .size =
-                                                 sizeof(((struct follow_settings *)NULL)->noise)};
-
 static const struct section_use sections[] = {
     {.section = &scenario_section, .required = true},
     {.section = &ego_section, AT_SCENARIO(ego), .required = true, .only = "speed_mps"},
@@ -72,7 +49,9 @@ static const struct section_use sections[] = {
      .required = true,
      .only = "gap_m speed_mps change_s change_mps2 change_to_mps profile"},
     {.section = &lane_section, AT_SETTINGS(struct follow_settings, lane)},
-    {.section = &noise_section, AT_SETTINGS(struct follow_settings, noise)},
+    {.section = &head_noise_section,
+     AT_SETTINGS(struct follow_settings, noise),
+     .only = "gap_m own_mps lead_mps"},
     HEAD_SECTIONS(struct follow_settings, head),
 };
 WORLD_SETTINGS_FIT(struct follow_settings);

@@ -22,43 +22,15 @@ static const double slope_s = 0.001; /* over which the head takes the lead's acc
 enum { SHAPE_NS = 10000000 };
 
 struct gap_settings {
-    struct {
-        double gap_m, own_mps, lead_mps, lead_mps2; /* standard deviations */
-    } noise;
+    struct head_noise noise;
     struct head_settings head;
 };
-
-#define AT(member)                                                                                 \
-    offsetof(struct gap_settings, noise.member) - offsetof(struct gap_settings, noise)
-static const struct key noise_keys[] = {
-    {.name = "gap_m", .meaning = "standard deviation of the gap", .at = AT(gap_m), .high = 10},
-    {.name = "own_mps",
-     .meaning = "standard deviation of the own speed",
-     .at = AT(own_mps),
-     .high = 5},
-    {.name = "lead_mps",
-     .meaning = "standard deviation of the speed of the car ahead",
-     .at = AT(lead_mps),
-     .high = 5},
-    {.name = "lead_mps2",
-     .meaning = "standard deviation of the acceleration of the car ahead",
-     .at = AT(lead_mps2),
-     .high = 5},
-};
-#undef AT
-
-static const struct section noise_section = {.name = "noise",
-                                             .meaning = "noise of what the head measures",
-                                             SECTION_KEYS(noise_keys),
-                                             .size = sizeof(((struct gap_settings *)NULL)->noise)};
 
 static const struct section_use sections[] = {
     {.section = &scenario_section, .required = true},
     {.section = &ego_section, AT_SCENARIO(ego), .required = true},
-    {.section = &lead_section,
-     AT_SCENARIO(lead),
-     .only = "gap_m speed_mps lane change_s change_mps2 change_to_mps profile appears_s leaves_s"},
-    {.section = &noise_section, AT_SETTINGS(struct gap_settings, noise)},
+    {.section = &lead_section, AT_SCENARIO(lead), .only = LEAD_KEYS_OF_A_HEAD},
+    {.section = &head_noise_section, AT_SETTINGS(struct gap_settings, noise)},
     HEAD_SECTIONS(struct gap_settings, head),
 };
 WORLD_SETTINGS_FIT(struct gap_settings);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The parking controller's world: a car that drives backwards while the stop line lets it, steered
+/* The parking controller's world: a car that drives backwards while the STOP pin lets it, steered
  * by a servo, and a head that tells where it stands. */
 #include "base.h"
 #include "servo.h"

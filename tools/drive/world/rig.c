@@ -125,7 +125,7 @@ static void warning_goes_on(struct rig *rig)
     }
 }
 
-static void stop_line_changes(struct rig *rig, bool level)
+static void stop_pin_changes(struct rig *rig, bool level)
 {
     rig->stop_toggles++;
     if (level) {
@@ -166,7 +166,7 @@ void rig_pin(struct rig *rig, int64_t t_ns, enum board_pin pin, bool level)
         }
         break;
     case PIN_STOP:
-        stop_line_changes(rig, level);
+        stop_pin_changes(rig, level);
         break;
     case PIN_LAMP:
     case PIN_BUZZER:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What every world with a car on a lane has: the car, the brake as PWM and stop line demand it,
+/* What every world with a car on a lane has: the car, the brake as PWM and STOP pin demand it,
  * lamp and buzzer, and the record of what they did. */
 #ifndef FUZZY51_RIG_H
 #define FUZZY51_RIG_H
