@@ -1,12 +1,13 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Every tests/bad/*.fis says what it is there for: `% expect: LINE: error: text` in its first line. check must
-# say that, exit 1 and print nothing else on stdout; table, for errors, must too and write no file.
+# Every .fis, .fll and .fcl in tests/bad says what it is there for: `% expect: LINE: error: text` in its first
+# line (# in place of % in an .fll or .fcl). check must say that, exit 1 and print nothing on stdout; table, for
+# errors, must too and write no file.
 . tests/lib.sh
 
-for fis in tests/bad/*.fis; do
-    expect=$(sed -n '1s/^% expect: //p' "$fis" | tr -d '\r')
-    arguments=$(sed -n '2s/^% args: //p' "$fis")
+for fis in tests/bad/*.fis tests/bad/*.fll tests/bad/*.fcl; do
+    expect=$(sed -n '1s/^[%#] expect: //p' "$fis" | tr -d '\r')
+    arguments=$(sed -n '2s/^[%#] args: //p' "$fis")
     wrong=
     # shellcheck disable=SC2086  # a list of words
     stdout=$(build/fistab check $arguments "$fis" 2>"$out/stderr")
