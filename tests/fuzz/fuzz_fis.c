@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Fuzzes the reader, the checks, the inference and the writers of fistab: `make fuzz`.
+/* Fuzzes the readers, the checks, the inference and the writers of fistab: `make fuzz`.
  * Whatever the bytes, no crash, hang or leak; whatever the system, finite outputs, a Mamdani's in
- * its range. Input that begins with byte 1, which no text does, is no file but the choices of a
- * generator that writes one: so the fuzzer reaches odd sets and rules without having to spell them.
- */
+ * its range; and the .fis that is written of a system gives the same outputs as the system. The first
+ * byte, where no text begins with it, chooses: after 2 comes an .fll, after 3 an .fcl, and after 1
+ * the choices of a generator that writes a .fis, so that the fuzzer reaches odd sets and rules
+ * without having to spell them. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +14,7 @@
 #include "fistab/header.h"
 #include "fistab/infer.h"
 #include "fistab/table.h"
+#include "fistab/write_fis.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -104,19 +106,55 @@ static void tabulate(const struct fis *fis)
     table_free(&table);
 }
 
-static void check_text(const char *text, size_t size)
+/* The same system as a .fis: where that can be, its exact outputs are the same. */
+static void convert(const struct fis *fis)
 {
-    struct infer_options sampled = {.samples = 21}, exact = {.samples = 2, .exact = true};
+    struct infer_options exact = {.exact = true};
+    double x[FIS_VARIABLES_MAX], y[FIS_VARIABLES_MAX], again[FIS_VARIABLES_MAX];
+    struct engine *engine, *other;
+    struct fis copy;
+    char *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(&text, &length);
+    int status = write_fis(out, fis);
+
+    fclose(out);
+    if (status == EXIT_FINE) {
+        demand(fis_parse("copy.fis", text, length, &copy) == EXIT_FINE, "the .fis is not readable");
+        engine = engine_create(fis, &exact);
+        other = engine_create(&copy, &exact);
+        for (int point = 0; engine != NULL && other != NULL && point < 4; point++) {
+            coordinates(fis, point, x); /* within the ranges, so that no lock acts */
+            engine_eval(engine, x, y);
+            engine_eval(other, x, again);
+            for (size_t o = 0; o < fis->outputs; o++) {
+                demand(fis->output[o].lock_range || fis->output[o].type == FIS_SUGENO
+                           ? true
+                           : y[o] == again[o],
+                       "the .fis has other outputs");
+            }
+        }
+        engine_free(engine);
+        engine_free(other);
+        fis_free(&copy);
+    }
+    free(text);
+}
+
+static void check_text(const char *file, const char *text, size_t size)
+{
+    struct infer_options sampled = {.samples = 21}, exact = {.exact = true};
     struct findings findings = {0, 0};
     struct fis fis;
 
-    if (fis_parse("fuzz.fis", text, size, &fis) != EXIT_FINE) {
+    if (fis_parse(file, text, size, &fis) != EXIT_FINE) {
         return;
     }
     evaluate(&fis, &sampled);
     evaluate(&fis, &exact);
     check_fis(&fis, &findings);
     tabulate(&fis);
+    convert(&fis);
     fis_free(&fis);
 }
 
@@ -212,8 +250,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     size_t length;
     FILE *out;
 
-    if (size == 0 || data[0] != 1) {
-        check_text((const char *)data, size);
+    if (size == 0 || data[0] < 1 || data[0] > 3) {
+        check_text("fuzz", (const char *)data, size);
+        return 0;
+    }
+    if (data[0] > 1) {
+        check_text(data[0] == 2 ? "fuzz.fll" : "fuzz.fcl", (const char *)data + 1, size - 1);
         return 0;
     }
     out = open_memstream(&text, &length);
@@ -222,7 +264,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (getenv("FUZZ_SHOW") != NULL) {
         printf("%s", text);
     }
-    check_text(text, length);
+    check_text("fuzz.fis", text, length);
     free(text);
     return 0;
 }

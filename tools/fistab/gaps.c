@@ -13,6 +13,7 @@ struct search {
     const struct zones *zones;
     int *last;               /* of each rule: the last input that it has a condition on; -1: none */
     size_t **alive;          /* for each input: the rules that may still fire */
+    size_t **next;           /* the same in the zone that is looked at next */
     struct box box;          /* where to look, and on the way down where we are */
     const struct box *known; /* gaps inside of this one are not counted; NULL: none */
     struct gaps found;
@@ -99,11 +100,34 @@ static bool has_condition(const struct search *s, size_t i, const size_t *rule, 
     return false;
 }
 
+/* COUNT and OTHER_COUNT may be SIZE_MAX: a rule fires for certain. */
+static bool same_rules(const size_t *rule, size_t count, const size_t *other, size_t other_count)
+{
+    return count == other_count &&
+           (count == SIZE_MAX || memcmp(rule, other, count * sizeof *rule) == 0);
+}
+
+static void descend(struct search *s, size_t i, size_t count);
+
+/* Goes on behind input I with KEPT rules in alive[i + 1]. */
+static void go_on(struct search *s, size_t i, size_t kept)
+{
+    if (kept == SIZE_MAX) {
+        s->covered++;
+    } else if (kept == 0) {
+        note_gap(s);
+    } else {
+        descend(s, i + 1, kept);
+    }
+}
+
 /* Goes through the zones of inputs I and later, with COUNT rules in alive[i] that may fire. */
 static void descend(struct search *s, size_t i, size_t count)
 {
     size_t from = s->box.from[i];
     size_t to = s->box.to[i];
+    size_t *rules;
+    size_t kept;
 
     if (s->visits > VISITS_MAX) {
         s->found.incomplete = true;
@@ -119,17 +143,25 @@ static void descend(struct search *s, size_t i, size_t count)
         descend(s, i + 1, count);
         return;
     }
+    /* Neighbouring zones that leave the same rules are looked at as one. */
+    s->box.from[i] = from;
+    kept = filter(s, i, &s->zones[i].zone[from], s->alive[i], count, s->alive[i + 1]);
     for (size_t z = from; z <= to; z++) {
-        size_t kept = filter(s, i, &s->zones[i].zone[z], s->alive[i], count, s->alive[i + 1]);
+        size_t more = 0;
 
-        s->box.from[i] = s->box.to[i] = z;
-        if (kept == SIZE_MAX) {
-            s->covered++;
-        } else if (kept == 0) {
-            note_gap(s);
-        } else {
-            descend(s, i + 1, kept);
+        if (z < to) {
+            more = filter(s, i, &s->zones[i].zone[z + 1], s->alive[i], count, s->next[i + 1]);
+            if (same_rules(s->alive[i + 1], kept, s->next[i + 1], more)) {
+                continue;
+            }
         }
+        s->box.to[i] = z;
+        go_on(s, i, kept);
+        rules = s->alive[i + 1];
+        s->alive[i + 1] = s->next[i + 1];
+        s->next[i + 1] = rules;
+        kept = more;
+        s->box.from[i] = z + 1;
     }
     s->box.from[i] = from;
     s->box.to[i] = to;
@@ -195,11 +227,14 @@ static bool allocate(struct search *s)
 {
     s->last = malloc((s->fis->rules + 1) * sizeof *s->last);
     s->alive = calloc(s->fis->inputs + 1, sizeof *s->alive);
-    if (s->last == NULL || s->alive == NULL) {
+    s->next = calloc(s->fis->inputs + 1, sizeof *s->next);
+    if (s->last == NULL || s->alive == NULL || s->next == NULL) {
         return false;
     }
     for (size_t i = 0; i <= s->fis->inputs; i++) {
-        if ((s->alive[i] = malloc((s->fis->rules + 1) * sizeof **s->alive)) == NULL) {
+        s->alive[i] = malloc((s->fis->rules + 1) * sizeof **s->alive);
+        s->next[i] = malloc((s->fis->rules + 1) * sizeof **s->next);
+        if (s->alive[i] == NULL || s->next[i] == NULL) {
             return false;
         }
     }
@@ -233,8 +268,10 @@ struct gaps gaps_find(const struct fis *fis, const struct zones *zones, const bo
     }
     for (size_t i = 0; s.alive != NULL && i <= fis->inputs; i++) {
         free(s.alive[i]);
+        free(s.next != NULL ? s.next[i] : NULL);
     }
     free(s.alive);
+    free(s.next);
     free(s.last);
     return s.found;
 }
