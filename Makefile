@@ -25,6 +25,8 @@ UNITY_DIR    ?=#                  a checkout of Unity, instead of Debian's copy
 FUZZ_SECONDS ?= 600#              how long `fuzz` runs
 CFLAGS       ?= -O2 -g#           of the host's programs
 V            ?=#                  V=1 prints each command
+PREFIX       ?= /usr/local#       where `install` puts the tools
+DESTDIR      ?=#                  a folder in front of PREFIX, for packages
 # Knobs of `report`, which reads them from the environment.
 MAP          ?= normal#           fineness of the avoidance map: coarse, normal or fine
 ONLY         ?= *#                scenarios of these names only: 'GLOB...'
@@ -97,6 +99,9 @@ lint:      ## looks for mistakes with shellcheck and cppcheck
 
 deps:      ## installs what the build needs
 	@tools/deps.sh build
+
+install:   ## fistab, drive and bound with manual pages and bash completion, in PREFIX
+uninstall: ## removes them
 
 clean:     ## removes build/
 	$(Q)rm -rf build

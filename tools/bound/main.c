@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* bound: the most stack and the most time that an image can take, for all inputs. */
 #include "diag.h"
+#include "manual.h"
 #include "flow.h"
 
 #include <argp.h>
@@ -193,6 +194,14 @@ static int take_loops(struct flow *flow, const struct arguments *arguments)
     return EXIT_FINE;
 }
 
+static const struct manual manual = {
+    .program = "bound",
+    .brief = "the most stack and time that an 8051 image can take",
+    .about = "",
+    .command = &(const struct manual_command){.argp = &parser},
+    .commands = 1,
+};
+
 int main(int argc, char **argv)
 {
     static struct arguments arguments = {.iram = 256};
@@ -202,6 +211,9 @@ int main(int argc, char **argv)
     int status;
 
     argp_err_exit_status = EXIT_USAGE;
+    if (argc == 2 && manual_option(&manual, argv[1], &status)) {
+        return status;
+    }
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
     if (hexfile_read(&hex, arguments.words[0]) != EXIT_FINE) {
         return EXIT_INPUT;

@@ -116,6 +116,18 @@ static void put_capitals(FILE *out, const char *text)
     }
 }
 
+/* The ways to give the arguments, one a line. */
+static void put_ways(FILE *out, const char *ways)
+{
+    for (; *ways != '\0'; ways += strspn(ways, "\n")) {
+        size_t length = strcspn(ways, "\n");
+
+        put_roff(out, ways, length);
+        ways += length;
+        fputs(*ways != '\0' ? "\n.br\n" : "\n", out);
+    }
+}
+
 static void write_man(FILE *out, const struct manual *manual)
 {
     fputs(".TH ", out);
@@ -129,8 +141,7 @@ static void write_man(FILE *out, const struct manual *manual)
 
         fprintf(out, "%s.B %s%s%s\n.RI [ OPTION ...]\n", i > 0 ? ".br\n" : "", manual->program,
                 has_commands(manual) ? " " : "", has_commands(manual) ? command->name : "");
-        put_roff(out, command->argp->args_doc, strlen(command->argp->args_doc));
-        putc('\n', out);
+        put_ways(out, command->argp->args_doc);
     }
     fputs(".SH DESCRIPTION\n", out);
     put_paragraphs(out, manual->about);
@@ -141,11 +152,12 @@ static void write_man(FILE *out, const struct manual *manual)
             fputs(".SH ", out);
             put_capitals(out, command->name);
             putc('\n', out);
-        } else {
-            fputs(".SH OPTIONS\n", out);
         }
         if (command->argp->doc != NULL) {
             put_doc(out, command->argp->doc);
+        }
+        if (!has_commands(manual)) {
+            fputs(".SH OPTIONS\n", out);
         }
         each_option(command->argp, out, put_option);
     }

@@ -9,6 +9,7 @@
 #include "list.h"
 #include "live.h"
 #include "keys_page.h"
+#include "manual.h"
 #include "plot.h"
 #include "protocols.h"
 #include "run.h"
@@ -418,6 +419,14 @@ static int command_run(struct arguments *arguments)
     return run_and_report(&setup, &scenario, arguments);
 }
 
+static const struct manual manual = {
+    .program = "drive",
+    .brief = "a controller's image in the simulator, in a closed loop with a modelled car",
+    .about = "",
+    .command = &(const struct manual_command){.argp = &parser},
+    .commands = 1,
+};
+
 int main(int argc, char **argv)
 {
     struct arguments arguments = {.map = "normal",
@@ -425,8 +434,12 @@ int main(int argc, char **argv)
                                   .quantum_us = RUN_QUANTUM_US,
                                   .step_us = WORLD_STEP_NS / 1000};
     const char *command;
+    int status;
 
     argp_err_exit_status = EXIT_USAGE;
+    if (argc == 2 && manual_option(&manual, argv[1], &status)) {
+        return status;
+    }
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
     s51_catch_signals();
     command = arguments.word_count > 0 ? arguments.words[0] : "";

@@ -60,7 +60,7 @@ static inline double tnorm(enum tnorm norm, double a, double b)
     case TNORM_EINSTEIN_PRODUCT:
         return a * b / (2 - (a + b - a * b));
     case TNORM_HAMACHER_PRODUCT:
-        return a + b == 0 ? 0 : a * b / (a + b - a * b);
+        return a + b == 0 ? 0 : fmin(1, a * b / (a + b - a * b));
     case TNORM_NILPOTENT_MINIMUM:
         return a + b > 1 ? fmin(a, b) : 0;
     default:
@@ -83,9 +83,9 @@ static inline double snorm(enum snorm norm, double a, double b)
     case SNORM_DRASTIC_SUM:
         return fmin(a, b) == 0 ? fmax(a, b) : 1;
     case SNORM_EINSTEIN_SUM:
-        return (a + b) / (1 + a * b);
+        return fmin(1, (a + b) / (1 + a * b)); /* rounding must not exceed 1 */
     case SNORM_HAMACHER_SUM:
-        return a * b == 1 ? 1 : (a + b - 2 * a * b) / (1 - a * b);
+        return a * b == 1 ? 1 : fmin(1, fmax(0, (a + b - 2 * a * b) / (1 - a * b)));
     case SNORM_NILPOTENT_MAXIMUM:
         return a + b < 1 ? fmax(a, b) : 1;
     default:
