@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Runs all scenarios of a folder in both engines of drive; a scenario passes when every stated outcome holds
 # in both. The image is chosen as in tests/run_loop.sh:
 #     tests/compare_engines.sh BOARD [DIR]

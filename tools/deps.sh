@@ -17,6 +17,7 @@ packages_for() {
     unit) echo "$build parallel" ;;
     test) echo "$build gnuplot-nox jq parallel rsync chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
+    prove) echo "$build frama-c-base why3 z3 cvc4" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
     report) echo "$build jq parallel rsync" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
@@ -26,7 +27,7 @@ packages_for() {
     flash) echo "avrdude pipx" ;;
     debian) echo "mmdebstrap git" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, prove, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
         exit 2
         ;;
     esac
@@ -42,6 +43,7 @@ proof_of() {
     sdcc-libraries | libclang-rt-* | octave-fuzzy-logic-toolkit) ;;
     sdcc-ucsim) echo "s51 ucsim_51" ;;
     gnuplot-nox) echo "gnuplot" ;;
+    frama-c-base) echo "frama-c" ;;
     octave) echo "octave octave-cli" ;;
     *) echo "$1" ;;
     esac

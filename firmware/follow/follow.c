@@ -44,7 +44,7 @@ static uint8_t cell_of(int16_t value, const int16_t __code *threshold, uint8_t t
 void follow_look_up(void)
 {
     int16_t gap_mm = (int16_t)(follow.gap_mm < GAP_END_MM ? follow.gap_mm : GAP_END_MM);
-    int16_t closing_mmps = (int16_t)(follow.own_mmps - follow.lead_mmps);
+    int16_t closing_mmps = (int16_t)((int16_t)follow.own_mmps - (int16_t)follow.lead_mmps);
     int16_t to_change_mm = (int16_t)(gap_mm - FOLLOW_CHANGE_MM);
     uint8_t gap_first = FIRST_CELL(gap_mm, gap_mm_at);
     uint8_t gap_last = LAST_CELL(gap_mm, gap_mm_at);

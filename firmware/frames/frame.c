@@ -23,15 +23,25 @@ static uint8_t crc_high, crc_low;
 static bool inside;          /* a start byte came, the last byte of its frame did not */
 static __idata uint16_t bad; /* frames */
 
+/* Holds from frame_init on. */
+/*@ predicate frame_is_valid =
+        3 <= body_bytes <= FRAME_BODY_MAX_BYTES && filled < body_bytes &&
+        group_left <= GROUP_BYTES; */
+
+/*@ assigns start_and_kind, body_bytes, count_last, inside, filled, group_left, bad;
+    ensures frame_is_valid && !inside && bad == 0; */
 void frame_init(uint8_t kind, uint8_t payload_bytes)
 {
     start_and_kind = (uint8_t)(START_BIT | (kind << 4));
     body_bytes = (uint8_t)(payload_bytes + 2);
     count_last = COUNT_NONE;
     inside = false;
+    filled = 0;
+    group_left = 0;
     bad = 0;
 }
 
+/*@ assigns bad; */
 void frame_refuse(void)
 {
     if (bad != UINT16_MAX) {
@@ -39,6 +49,11 @@ void frame_refuse(void)
     }
 }
 
+/* A start byte. */
+/*@ requires frame_is_valid;
+    assigns inside, count, filled, group_left, crc_high, crc_low, bad;
+    ensures frame_is_valid;
+    ensures \result == FRAME_NONE || \result == FRAME_BAD; */
 static uint8_t begin(uint8_t byte)
 {
     bool cut_short = inside;
@@ -57,6 +72,14 @@ static uint8_t begin(uint8_t byte)
     return FRAME_BAD;
 }
 
+/*@ requires frame_is_valid;
+    assigns inside, count, count_last, filled, group_left, top_bits, crc_high, crc_low, bad,
+            frame_body[0 .. FRAME_BODY_MAX_BYTES - 1];
+    ensures frame_is_valid;
+    ensures crc_protects: \result == FRAME_GOOD ==> crc_high == 0 && crc_low == 0 && top_bits == 0;
+    ensures count_protects: \result == FRAME_GOOD ==>
+                count != \old(count_last) && count_last == count;
+    ensures \result != FRAME_GOOD ==> count_last == \old(count_last); */
 uint8_t frame_push(uint8_t byte)
 {
     if (byte & START_BIT) {
@@ -78,11 +101,12 @@ uint8_t frame_push(uint8_t byte)
     frame_body[filled] = byte;
     filled++;
     CRC16_ADD(crc_high, crc_low, byte);
-    if (filled != body_bytes) {
+    if (filled < body_bytes) {
         return FRAME_NONE;
     }
 
     inside = false;
+    filled = 0;
     /* A right check sum, added to itself, gives 0. If top bits are left, an unused one was 1. */
     if ((crc_high | crc_low | top_bits) != 0 || count == count_last) {
         frame_refuse();

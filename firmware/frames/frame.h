@@ -78,8 +78,7 @@ uint16_t frame_bad_count(void);
     ensures \result == frame_body[at] * 256 + frame_body[at + 1]; */
 uint16_t frame_u16(uint8_t at);
 /*@ requires at + 2 < FRAME_BODY_MAX_BYTES;
-    assigns \nothing;
-    ensures -0x800000 <= \result < 0x800000; */
+    assigns \nothing; */
 int32_t frame_i24(uint8_t at);
 
 #endif

@@ -8,6 +8,8 @@ static __idata uint16_t
 static __idata uint8_t frames_good; /* in a row, while the link is not up */
 static __idata uint8_t link;        /* enum link_state */
 
+/*@ assigns link, since_ms, frames_good;
+    ensures link == state && since_ms == now_ms && frames_good == 0; */
 void link_init(uint8_t state, uint16_t now_ms)
 {
     link = state;
@@ -15,6 +17,12 @@ void link_init(uint8_t state, uint16_t now_ms)
     frames_good = 0;
 }
 
+/*@ requires link <= LINK_LOST && frames_good < LINK_GOOD_FRAMES;
+    assigns link, since_ms, frames_good;
+    ensures \result <==> link == LINK_UP;
+    ensures \result ==> since_ms == now_ms;
+    ensures up_needs_three: \old(link) != LINK_UP && \result ==>
+                \old(frames_good) == LINK_GOOD_FRAMES - 1; */
 bool link_good(uint16_t now_ms)
 {
     /* If the silence was too long, the frame that ends it does not count as if it had come in time.
@@ -31,11 +39,21 @@ bool link_good(uint16_t now_ms)
     return true;
 }
 
+/*@ assigns frames_good;
+    ensures bad_is_no_life: since_ms == \old(since_ms) && link == \old(link);
+    ensures frames_good == 0; */
 void link_bad(void)
 {
     frames_good = 0;
 }
 
+/*@ requires link <= LINK_LOST;
+    assigns link, frames_good;
+    ensures \result == link;
+    ensures silence_is_lost: \old(link) == LINK_UP &&
+                (uint16_t)(now_ms - since_ms) >= LINK_SILENCE_MS ==> link == LINK_LOST;
+    ensures link == LINK_LOST || link == \old(link);
+    ensures frames_good == (link == \old(link) ? \old(frames_good) : 0); */
 uint8_t link_check(uint16_t now_ms)
 {
     uint16_t past_ms = (uint16_t)(now_ms - since_ms);

@@ -109,8 +109,8 @@ static int16_t limited(int16_t value, int16_t low, int16_t high)
 
 int16_t gap_lq_cmps2(void)
 {
-    int16_t error_cm = (int16_t)(gap.safe_cm - gap.gap_cm);
-    uint16_t size_cm = (uint16_t)(error_cm < 0 ? -error_cm : error_cm);
+    int16_t error_cm = (int16_t)((int16_t)gap.safe_cm - (int16_t)gap.gap_cm);
+    uint16_t size_cm = magnitude_i16(error_cm);
     uint16_t h_cs = (uint16_t)(90U + (mul_hi_u16(speed_cmps(), 43691U) >> 2)); /* / 6 */
     uint16_t fine = mul_u8((uint8_t)size_cm, 77);
     /* 77 / 256 is the weight, 0.3. */
@@ -129,9 +129,10 @@ int16_t gap_lq_cmps2(void)
 
 int16_t gap_fuzzy_cmps2(void)
 {
-    int16_t room_cm = limited((int16_t)(gap.gap_cm - gap.safe_cm), ROOM_MIN_CM, ROOM_MAX_CM);
-    int16_t opening_cmps =
-        limited((int16_t)(gap.lead_cmps - gap.own_cmps), -OPENING_MAX_CMPS, OPENING_MAX_CMPS);
+    int16_t room_cm =
+        limited((int16_t)((int16_t)gap.gap_cm - (int16_t)gap.safe_cm), ROOM_MIN_CM, ROOM_MAX_CM);
+    int16_t opening_cmps = limited((int16_t)((int16_t)gap.lead_cmps - (int16_t)gap.own_cmps),
+                                   -OPENING_MAX_CMPS, OPENING_MAX_CMPS);
     uint16_t row = (uint16_t)((uint16_t)(room_cm - ROOM_MIN_CM) << 2);
     uint16_t col = (uint16_t)((uint16_t)(opening_cmps + OPENING_MAX_CMPS) << 2);
     uint8_t level = lut_between(mul_hi_u16(row, ROOM_Q8), mul_hi_u16(col, OPENING_Q8));

@@ -13,7 +13,8 @@
  * bits, and of no other way to write it; the unit test tries all 65,536 pairs on the chip. For
  * every other compiler the product is unsigned. */
 /*@ assigns \nothing;
-    ensures \result == a * b; */
+    ensures \result == a * b;
+    ensures \result <= 65025; */
 inline uint16_t mul_u8(uint8_t a, uint8_t b)
 {
 #ifdef __SDCC_mcs51
@@ -21,6 +22,14 @@ inline uint16_t mul_u8(uint8_t a, uint8_t b)
 #else
     return (uint16_t)((uint32_t)a * b);
 #endif
+}
+
+/* Without its sign: 0..32768. Always inline. */
+/*@ assigns \nothing;
+    ensures \result == \abs(value); */
+inline uint16_t magnitude_i16(int16_t value)
+{
+    return value < 0 ? (uint16_t)(0U - (uint16_t)value) : (uint16_t)value;
 }
 
 /* The upper half of the product of two 16-bit numbers a and b, given by their bytes: a * b / 65536,
@@ -38,9 +47,14 @@ inline uint16_t mul_hi_bytes(uint8_t a_high, uint8_t a_low, uint8_t b_high, uint
     sum += mul_u8(a_high, b_low);
     result = (uint8_t)(sum >> 8);
     sum = (uint8_t)sum;
+    /*@ assert result * 256 + sum == (a_low * b_low) / 256 + a_high * b_low; */
     sum += mul_u8(a_low, b_high);
     result += (uint8_t)(sum >> 8);
+    /*@ assert result == ((a_low * b_low) / 256 + a_high * b_low + a_low * b_high) / 256; */
+    /*@ assert result == (a_low * b_low + 256 * (a_high * b_low + a_low * b_high)) / 65536; */
     result += mul_u8(a_high, b_high);
+    /*@ assert (a_high * 256 + a_low) * (b_high * 256 + b_low) ==
+            a_low * b_low + 256 * (a_high * b_low + a_low * b_high) + 65536 * (a_high * b_high); */
     return result;
 }
 
@@ -52,7 +66,7 @@ uint16_t mul_hi_u16(uint16_t a, uint16_t b);
 
 /* The whole product of two 16-bit numbers. About 120 mc; an interrupt must not call it. */
 /*@ assigns \nothing;
-    ensures \result == a * b; */
+    ensures tried: \result == a * b; */
 uint32_t mul_u16(uint16_t a, uint16_t b);
 
 #endif

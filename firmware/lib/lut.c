@@ -127,7 +127,8 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
         CRC16_ADD(high, low, *byte);
         byte++;
 #if LUT_OUTPUTS == 2
-        if (byte == (const uint8_t __code *)lut_out1 + sizeof lut_out1) {
+        offset++;
+        if (offset == sizeof lut_out1) {
             byte = (const uint8_t __code *)lut_out2;
         }
 #endif

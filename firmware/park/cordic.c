@@ -3,6 +3,7 @@
 #include "cordic.h"
 #include <stdbool.h>
 #include "cc51.h"
+#include "fixed.h"
 
 #define HALF_ALONG   (CORDIC_ALONG_MAX / 2)
 #define HALF_ACROSS  (CORDIC_ACROSS_MAX / 2)
@@ -19,7 +20,7 @@ void cordic_to_polar(int16_t across, int16_t along)
 {
     bool mirrored = across < 0;
     uint16_t x = (uint16_t)along; /* 47,700 at most */
-    int16_t y = (int16_t)(mirrored ? -across : across);
+    int16_t y = (int16_t)magnitude_i16(across);
     int16_t angle = 0;
     uint8_t enlarged = 0;
     uint8_t step;
@@ -38,11 +39,11 @@ void cordic_to_polar(int16_t across, int16_t along)
             y = (int16_t)(y - x_part);
             angle = (int16_t)(angle + step_angle[step]);
         } else {
-            x = (uint16_t)(x + (-y >> step)); /* rounds: 12 */
+            x = (uint16_t)(x + (magnitude_i16(y) >> step)); /* rounds: 12 */
             y = (int16_t)(y + x_part);
             angle = (int16_t)(angle - step_angle[step]);
         }
     }
     cordic_polar.length = (uint16_t)(x >> enlarged); /* rounds: 4 */
-    cordic_polar.angle = (int16_t)(mirrored ? -angle : angle);
+    cordic_polar.angle = (int16_t)(mirrored ? 0U - (uint16_t)angle : (uint16_t)angle);
 }

@@ -39,11 +39,6 @@ static int16_t limited(int32_t theta)
     return (int16_t)theta;
 }
 
-static uint16_t magnitude(int16_t value)
-{
-    return (uint16_t)(value < 0 ? -value : value);
-}
-
 static uint8_t weight_at(uint16_t dist_mm)
 {
     uint16_t cell;
@@ -68,8 +63,8 @@ static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
         return far_law;
     }
     /* 255 means 1. The weight in 256ths is weight + weight / 128. */
-    part =
-        (int16_t)mul_hi_u16(magnitude(more), (uint16_t)((uint16_t)(weight + (weight >> 7)) << 8));
+    part = (int16_t)mul_hi_u16(magnitude_i16(more),
+                               (uint16_t)((uint16_t)(weight + (weight >> 7)) << 8));
     return more < 0 ? near_law - part : near_law + part;
 }
 
@@ -77,7 +72,7 @@ void park_steer(void)
 {
     int16_t delta = (int16_t)(park.heading - QUARTER_TURN);
     int32_t across =
-        (int32_t)magnitude(park.x) * 2 + mul_hi_u16(magnitude(park.x), NEAR_OVER_2_Q16);
+        (int32_t)magnitude_i16(park.x) * 2 + mul_hi_u16(magnitude_i16(park.x), NEAR_OVER_2_Q16);
     int16_t line; /* -phi */
 
     cordic_to_polar(park.x, park.y);
@@ -86,7 +81,8 @@ void park_steer(void)
     park.weight = weight_at(park.dist_mm);
 
     /* delta + line is an angle and wraps in 16 bits; the other sums must not wrap. */
-    park.theta_far = limited((int32_t)line * 3 + (int32_t)(int16_t)(delta + line) * 2);
+    park.theta_far =
+        limited((int32_t)line * 3 + (int32_t)(int16_t)((uint16_t)delta + (uint16_t)line) * 2);
     park.theta_near = limited((park.x < 0 ? -across : across) + delta);
     park.theta = blended(park.theta_far, park.theta_near, park.weight);
 }
@@ -119,7 +115,7 @@ void park_decide(void)
     park.state = PARK_DRIVING;
     park_steer();
     /* 500 us / 8192 is 4000 / 65536. */
-    off_us = mul_hi_u16(magnitude(park.theta), 4000U);
+    off_us = mul_hi_u16(magnitude_i16(park.theta), 4000U);
     park.servo_us = park.theta < 0 ? PARK_SERVO_MID_US - off_us : PARK_SERVO_MID_US + off_us;
 }
 

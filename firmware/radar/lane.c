@@ -5,7 +5,8 @@
 #include "fixed.h"
 
 /* sin(i * 360 / 256 degrees) * 65536, i = 0..32: to 45 degrees. */
-static const uint16_t __code sine_q16[33] = {
+#define SINES 33
+static const uint16_t __code sine_q16[SINES] = {
     0,     1608,  3216,  4821,  6424,  8022,  9616,  11204, 12785, 14359, 15924,
     17479, 19024, 20557, 22078, 23586, 25080, 26558, 28020, 29466, 30893, 32303,
     33692, 35062, 36410, 37736, 39040, 40320, 41576, 42806, 44011, 45190, 46341,
@@ -14,18 +15,19 @@ static const uint16_t __code sine_q16[33] = {
 uint16_t lane_sine_q16(uint16_t angle_turn16)
 {
     uint8_t at = (uint8_t)(angle_turn16 >> 8);
-    uint8_t beyond = (uint8_t)angle_turn16;
-    uint16_t sine = sine_q16[at];
+    uint16_t sine;
 
-    if (beyond != 0) {
-        sine += mul_hi_u16((uint16_t)(sine_q16[(uint8_t)(at + 1)] - sine), (uint16_t)(beyond << 8));
+    if (at >= SINES - 1) {
+        return sine_q16[SINES - 1];
     }
-    return sine;
+    sine = sine_q16[at];
+    return sine + mul_hi_u16((uint16_t)(sine_q16[(uint8_t)(at + 1)] - sine),
+                             (uint16_t)((uint16_t)angle_turn16 << 8));
 }
 
 bool lane_is_own(uint16_t range_cm, int16_t azimuth_turn16, int16_t curvature_upm)
 {
-    uint16_t curvature = (uint16_t)(curvature_upm < 0 ? -curvature_upm : curvature_upm);
+    uint16_t curvature = magnitude_i16(curvature_upm);
     uint32_t arc;
     int16_t offset_cm;
 
@@ -39,8 +41,7 @@ bool lane_is_own(uint16_t range_cm, int16_t azimuth_turn16, int16_t curvature_up
         return false;
     }
 
-    offset_cm = (int16_t)mul_hi_u16(
-        range_cm, lane_sine_q16((uint16_t)(azimuth_turn16 < 0 ? -azimuth_turn16 : azimuth_turn16)));
+    offset_cm = (int16_t)mul_hi_u16(range_cm, lane_sine_q16(magnitude_i16(azimuth_turn16)));
     if ((azimuth_turn16 < 0) != (curvature_upm < 0)) {
         offset_cm = (int16_t)-offset_cm;
     }

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+/* A machine that can deliver anything, in any order, for ever: hal.h and hal_head.h for Eva. What a
+ * controller hands to it is checked. */
+#ifndef FUZZY51_PROVE_MACHINE_H
+#define FUZZY51_PROVE_MACHINE_H
+
+#include "__fc_builtin.h"
+#include "hal.h"
+
+static uint8_t any_byte(void)
+{
+    return (uint8_t)Frama_C_unsigned_char_interval(0, 255);
+}
+
+static uint16_t any_word(void)
+{
+    return (uint16_t)Frama_C_unsigned_int_interval(0, 65535);
+}
+
+static bool any_bool(void)
+{
+    return Frama_C_unsigned_char_interval(0, 1) != 0;
+}
+
+void hal_init(void)
+{
+}
+uint8_t hal_ticks(void)
+{
+    return any_byte();
+}
+void hal_trigger(void)
+{
+}
+uint8_t hal_echo(void)
+{
+    return (uint8_t)Frama_C_unsigned_char_interval(HAL_ECHO_NOT_RISEN, HAL_ECHO_DONE);
+}
+uint16_t hal_echo_cycles(void)
+{
+    return any_word();
+}
+bool hal_echo_is_high(void)
+{
+    return any_bool();
+}
+void hal_brake_set(uint8_t brake_pct)
+{
+    /*@ assert duty: brake_pct <= 100; */
+}
+void hal_stop_set(bool on)
+{
+}
+void hal_lamp_set(bool on)
+{
+}
+void hal_buzzer_set(bool on)
+{
+}
+bool hal_override_held(void)
+{
+    return any_bool();
+}
+bool hal_uart_ready(void)
+{
+    return any_bool();
+}
+void hal_uart_put(char c)
+{
+}
+char hal_uart_get(void)
+{
+    return (char)any_byte();
+}
+void hal_watchdog_feed(void)
+{
+}
+uint8_t hal_reset_cause(void)
+{
+    return (uint8_t)Frama_C_unsigned_char_interval(HAL_RESET_POWER, HAL_RESET_PIN);
+}
+bool hal_ram_is_good(void)
+{
+    return any_bool();
+}
+uint8_t hal_stack_unused(void)
+{
+    return any_byte();
+}
+bool hal_stack_is_good(void)
+{
+    return any_bool();
+}
+
+#ifdef FUZZY51_HAL_HEAD_H
+uint8_t hal_waiting(void)
+{
+    return (uint8_t)Frama_C_unsigned_char_interval(0, HAL_WAITING_MAX);
+}
+uint8_t hal_take(void)
+{
+    return any_byte();
+}
+void hal_servo_set(uint16_t pulse_us)
+{
+    /*@ assert pulse: 500 <= pulse_us <= 2500; */
+}
+void hal_cut_set(bool on)
+{
+}
+void hal_lane_set(bool on)
+{
+}
+#endif
+
+#endif
