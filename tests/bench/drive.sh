@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# How fast drive is, against s51 running free with the same image, and two runs on two processors
+# How fast drive is: against s51 that runs free with the same image, and two runs on two processors
 # against one after the other.
 #     tests/bench/drive.sh [BOARD]         after `make`; BOARD: stc89c516rd
 # The sensor is off in both, because a free s51 has none: the controller does the same work, in FAULT.

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # How fast fistab makes the brake's table, beside Debian's fuzzylite at the same work; how many bytes
-# the table takes and how many cycles a look-up.
+# the table takes, and how many cycles a look-up takes.
 #     tests/bench/fistab.sh [ROUNDS]       after `make run-bench` has built what it needs
 # Both programs take the same 10,000 points and 101 samples an output and write 10,000 results, process
 # start and all. They take turns of five runs; of each the median of its rounds counts, in processor

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The build gate for what SDCC compiles wrongly or unsafely: refuses each bad fixture with its message,
-# is silent about the firmware, and stands in the link.
+# The build's gate against what SDCC compiles wrongly or unsafely. It rejects each bad fixture with the
+# fixture's message, and it accepts the firmware. The build runs it before each link.
 . tests/lib.sh
 
 is_refused() { # FIXTURE

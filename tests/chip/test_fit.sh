@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# A program that outgrows its chip does not link, and says so; an unknown board names the known ones.
+# A program that is larger than its chip does not link, and the message says so. The message for an
+# unknown board lists the boards.
 . tests/lib.sh
 dir=build/outgrown
 rm -rf "$dir"

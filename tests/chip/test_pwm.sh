@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The PWM by its pin's edges, on each board, while UART and echo are busy: exact shares, whole periods,
-# nothing in between at a change, and the new duty from the next period on. The image is the brake's,
-# but for the duty (tests/chip/brake_duties.c).
+# The PWM, measured by the edges of its pin on each board while UART and echo are busy: the duty is exact,
+# the periods are whole, a change adds no edge, and a new duty holds from the next period on. The image is
+# the brake's, with fixed duties (tests/chip/brake_duties.c).
 . tests/lib.sh
 . tests/chip/lib.sh
 

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# What the self-test finds ends in FAULT, with its code in the telemetry and on the lamp, and lasts;
-# STOP works all the same.
+# Each finding of the self-test ends in FAULT until the next start, with its code in the telemetry and on
+# the lamp. STOP still works then.
 . tests/lib.sh
 . tests/chip/lib.sh
 board=at89s52

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The controller's words: title, header, one whole line a control step, an answer to each command, and
-# no command obeyed that is none.
+# What the controller says: title, header, one whole line for each control step, an answer to each
+# command. It does not obey unknown commands.
 . tests/lib.sh
 . tests/chip/lib.sh
 board=stc89c516rd

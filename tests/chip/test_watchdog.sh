@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# A hung controller is reset by the AT89S52's watchdog in time and comes up braking, in FAULT, until
-# three good readings. The image is the brake's own, but for a loop for ever when the override is
-# pressed.
+# The AT89S52's watchdog resets a hung controller in time. The controller then starts with the brake on,
+# in FAULT, until three good readings. The image is the brake's, with an endless loop while the override
+# is pressed.
 . tests/lib.sh
 . tests/chip/lib.sh
 board=at89s52

@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The same seed gives the same bytes; neither the sync quantum nor the plant's step changes an outcome:
-# traces are equal to the byte for every quantum, and outcomes within the tolerances below for half the
-# step. All with the real firmware.
+# The same seed gives the same bytes. The time between two meetings of simulator and plant changes no byte
+# of the trace, and half the plant's step changes no outcome beyond the tolerances below. All runs use the
+# real firmware.
 . tests/lib.sh
 
 run() { # BOARD SCENARIO NAME [option...]

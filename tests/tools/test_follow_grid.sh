@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The follower's 1,080 starts, with the firmware's decision on the host: how many end in contact with
-# the rules as published, with the safe ones, and with the safe ones that also brake when a lane change is
-# refused; and that the last could not be helped.
+# The follower's 1,080 starts, with the firmware's decision on the host. It counts the starts that end in
+# contact: with the published rules, with the safe rules, and with the safe rules that also brake when a
+# lane change is refused. The contacts of the last case cannot be avoided by any control.
 . tests/lib.sh
 
 count() { # GRID CONDITION

@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# 52 starts of the follower's grid, 26 for each rule set, six seconds of each: the real image in the
-# simulator must come to the same as the same decision compiled for the host: contact and when, the
-# least gap and the last one, to the millimetre.
+# 52 starts of the follower's grid, 26 for each set of rules, six seconds each. The real image in the
+# simulator must give the same result as the same decision on the host: contact and its time, the smallest
+# gap and the last gap, to the millimetre.
 . tests/lib.sh
 board=stc89c516rd
 seconds=6

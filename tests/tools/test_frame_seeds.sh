@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Frames that are bad at random, not by schedule: such a scenario says what holds whatever comes, so
-# five more seeds beside its own must give the same outcome.
+# Scenarios with frames that are bad at random. Their outcome must hold for any seed, so five other seeds
+# must give it, too.
 set -u
 board=stc89c516rd
 export board

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The laboratory against the simulator: the same scenarios under each law, on the host and in s51.
-# Both come to the same outcome within what an echo's end just before or after a tick can make.
+# The laboratory against the simulator: the same scenarios under each law, on the host and with the real
+# image. Both give the same outcome, within what an echo just before or just after a tick can change.
 . tests/lib.sh
 board=stc89c516rd
 

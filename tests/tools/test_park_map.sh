@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The parking map: how many of the 3,780 starts succeed, the firmware's integers against floating point,
-# and a sample of starts in s51, whose verdicts must be the same.
+# The parking map: how many of the 3,780 starts succeed; the firmware's integers against floating point;
+# and a sample of starts in the simulator, which must have the same verdicts.
 . tests/lib.sh
 
 make -s build/grid/park.csv build/grid/park_late.csv

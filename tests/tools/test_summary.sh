@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# What drive says about a run before it judges it: a sentence that fits the controller, and figures
-# that this controller's world measures.
+# What drive prints about a run before the verdict: a sentence that fits the controller, and the figures
+# that its world measures.
 . tests/lib.sh
 
 says() { # NAME SCENARIO PATTERN: the lines before the judged outcomes are, in one, of that form

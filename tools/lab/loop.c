@@ -13,7 +13,7 @@ enum {
     PERIOD_NS = 10000000,  /* of the PWM, which is the tick */
     JOB_NS = 910000,       /* from the tick to the trigger's rising edge */
     TRIGGER_NS = 16000,    /* width of the trigger */
-    STOP_NS = 220000,      /* echo's end to the stop line */
+    STOP_NS = 220000,      /* echo's end to the STOP pin */
     DUTY_NS = 760000,      /* echo's end to the new duty handed to the PWM */
     CLEAR_NS = 320000,     /* the same where there was no target: no estimator, no table */
     HAND_OVER_NS = 256000, /* least time to a period in which that takes it */

@@ -128,7 +128,7 @@ static double cost_of_standing(const struct image *image)
     return cost + 0.5 * fmax(four.jerk_worst_mps3 - 24, 0) + 0.02 * four.jerk_mean_mps3;
 }
 
-/* Braking harder than the reference at low speed, stopping on the stop line, stopping far away. */
+/* Braking harder than the reference at low speed, stopping by STOP, stopping far away. */
 static double cost_of_comfort(const struct image *image)
 {
     double cost = 0;

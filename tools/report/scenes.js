@@ -88,7 +88,7 @@ function sceneRoad(view, runs) {
         svg += strip(view, run, top, at.state || "") +
             surface({ ...view, dash: view.dash * metres / view.metres }, top + 28, 60, [top + 31, top + 83], ahead ? at.x_m + gap : at.x_m, scale) +
             `<rect x="0" y="${top + 88}" width="${view.width}" height="${lane - 88}" fill="var(--verge)"/>`;
-        /* The sensor's beam, and the stop line. */
+        /* The sensor's beam, and the distance of STOP. */
         if (view.rangeM > 0) {
             const reach = (ahead ? Math.min(view.rangeM, Math.max(gap, 0)) : view.rangeM) * scale, half = 15 * reach / (view.rangeM * scale);
             svg += `<path d="M ${noseX.toFixed(1)} ${y} l ${reach.toFixed(1)} ${(-half).toFixed(1)} q ${(half * 0.4).toFixed(1)} ${half.toFixed(1)} 0 ${(2 * half).toFixed(1)} z" fill="${run.colour}" opacity="0.3"/>`;
