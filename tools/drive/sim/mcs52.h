@@ -111,7 +111,8 @@ uint8_t mcs52_sfr(struct mcs52 *chip, uint8_t address);
 void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value);
 void mcs52_jump(struct mcs52 *chip, uint16_t pc);
 
-/* A checkpoint: TO becomes FROM in all but the functions of mcs52_outside and the coverage map. */
+/* A checkpoint: TO becomes FROM in all but the functions of mcs52_outside, the watched pins and the
+ * coverage map. */
 void mcs52_copy(struct mcs52 *to, const struct mcs52 *from);
 
 /* Two chips at the same cycle would behave alike from now on. Brings both up to date for that. */

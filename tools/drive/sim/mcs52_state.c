@@ -7,9 +7,11 @@
 void mcs52_copy(struct mcs52 *to, const struct mcs52 *from)
 {
     struct mcs52_outside outside = to->outside;
-    uint8_t *covered = to->covered;
+    uint8_t *covered = to->covered, watched[sizeof to->watched];
 
+    memcpy(watched, to->watched, sizeof watched);
     *to = *from;
+    memcpy(to->watched, watched, sizeof watched);
     to->outside = outside;
     to->covered = covered;
 }
