@@ -63,7 +63,7 @@ endif
 %.h: ;
 
 # --- targets; help prints the lines with ## ----------------------------------------------------
-.PHONY: all tools firmware format lint deps clean help FORCE
+.PHONY: all tools firmware dist compdb format lint deps clean help FORCE
 all: tools firmware   ## tools, and the firmware of all boards with the memory that each image takes
 
 include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
@@ -88,6 +88,12 @@ $(TARGETS):
 	@$(MAKE) run-$@
 
 flash:     ## writes build/BOARD/APP.hex to a chip: make flash BOARD=NAME PORT=DEVICE
+
+dist: all  ## a release in build/dist: sources, images of all boards, how to flash them
+	@tools/dist.sh $(VERSION)
+
+compdb:    ## compile_commands.json, for editors
+	@tools/compdb.sh
 
 format:    ## lays out all C by .clang-format, and adds missing SPDX lines
 	@tools/deps.sh format

@@ -85,6 +85,12 @@ flash: $(OUT)/$(APP).hex
 	@echo "$(FLASH_HOW)"
 	$(FLASH_COMMAND)
 
+# The same as a page of a release says it.
+.PHONY: flash-page
+flash-page:
+	@echo '$(or $(FLASH_HOW),This board has no flasher of its own.)'
+	@[ -z "$(FLASH_COMMAND)" ] || { echo; echo '    $(FLASH_COMMAND)'; }
+
 -include $(wildcard $(OUT)/*/*/*.d $(OUT)/*/tests/*/*.d)
 endif
 
