@@ -48,24 +48,26 @@ enum option_key {
 static const struct argp_option options[] = {
     {"hex", OPT_HEX, "FILE", 0,
      "the controller's image, Intel HEX (build/BOARD/APP.ihx, with the scenario's app)", 1},
-    {"board", OPT_BOARD, "NAME", 0, "the board that it was built for", 1},
+    {"board", OPT_BOARD, "NAME", 0, "the board that the image was built for", 1},
     {"engine", OPT_ENGINE, "NAME", 0,
      "what runs the image: s51, uCsim's simulator, or fast, our own ($ENGINE, else s51)", 1},
-    {"scenario", OPT_SCENARIO, "FILE", 0, "what happens on the road, and what must come of it", 1},
+    {"scenario", OPT_SCENARIO, "FILE", 0, "the scenario file", 1},
     {"set", OPT_SET, "SECTION.KEY=VALUE", 0, "replaces a value of the scenario; may be repeated",
      1},
     {"csv", OPT_CSV, "FILE", 0, "writes one line every 10 ms", 2},
     {"vcd", OPT_VCD, "FILE", 0, "writes pins and quantities for GTKWave", 2},
-    {"json", OPT_JSON, "FILE", 0, "writes the outcome and all series", 2},
-    {"uart", OPT_UART, "FILE", 0, "writes what the controller said", 2},
-    {"live", OPT_LIVE, NULL, 0, "draws the road while it runs", 2},
+    {"json", OPT_JSON, "FILE", 0, "writes the outcome and all columns of CSV", 2},
+    {"uart", OPT_UART, "FILE", 0, "writes what the controller sent on its serial line", 2},
+    {"live", OPT_LIVE, NULL, 0, "shows a picture while it runs", 2},
     {"brief", OPT_BRIEF, NULL, 0, "prints test lines only: PLACE:LINE:NAME:PASS or FAIL", 2},
     {"stats", OPT_STATS, NULL, 0, "prints how long the run took", 2},
-    {"quantum-us", OPT_QUANTUM, "N", 0, "syncs at least that often, 10..400 (when needed)", 3},
-    {"step-us", OPT_STEP, "N", 0, "longest step of the plant, 10..10000 (1000)", 3},
-    {"seed", OPT_SEED, "N", 0, "of the noise (the scenario's)", 3},
+    {"quantum-us", OPT_QUANTUM, "N", 0,
+     "longest time between two syncs, 10..400 (default: as needed)", 3},
+    {"step-us", OPT_STEP, "N", 0, "longest step of the model, 10..10000 (default: 1000)", 3},
+    {"seed", OPT_SEED, "N", 0, "seed of all random numbers (default: the scenario's)", 3},
     {"output", 'o', "FILE", 0, "plot: the figure, an .svg or .png", 4},
-    {"map", OPT_MAP, "FINENESS", 0, "scenarios: of the avoidance map: coarse, normal or fine", 4},
+    {"map", OPT_MAP, "FINENESS", 0,
+     "scenarios: how fine the avoidance map is: coarse, normal or fine", 4},
     {0},
 };
 
@@ -183,7 +185,7 @@ static const struct argp parser = {
         "to run, or the simulator failed.",
 };
 
-/* --- what came of it ----------------------------------------------------------------------- */
+/* --- the outcome --------------------------------------------------------------------------- */
 
 static const char *stem(const char *path)
 {

@@ -103,7 +103,7 @@ static void start_world(struct loop *loop, int64_t start_ns)
     show_row(loop, 0);
 }
 
-/* Edges before the first trigger only set the scene. */
+/* Edges before the first trigger only set the levels at the start. */
 static void take_edges(struct loop *loop)
 {
     for (size_t i = 0; i < loop->sim->edge_count && !loop->sim->edges[i].after_reset; i++) {
@@ -177,7 +177,8 @@ static void take_uart(struct loop *loop)
 /* How far the simulator may run from NOW_NS on before the world must be asked again. */
 static int64_t next_sync_ns(const struct loop *loop, int64_t t_ns)
 {
-    /* The sensor's delay bounds the way; a shorter quantum shortens it. */
+    /* The sensor answers after its delay at the earliest: so far the simulator may run alone. A
+     * shorter quantum makes that shorter. */
     int64_t margin_ns = (RUN_QUANTUM_US + RUN_MARGIN_US - loop->setup->quantum_us) * 1000LL;
     int64_t mark_ns = loop->class->mark_ns(loop->world);
     int64_t next_ns = loop->guess ? loop->class->guess_ns(loop->world, loop->now_ns)
@@ -379,7 +380,7 @@ static int start_simulator(struct loop *loop)
     return sim_start(loop->setup->engine, &loop->sim, &setup);
 }
 
-/* Once through the scenario. LATE: no result, because a guess was wrong. */
+/* Runs the scenario once. LATE: there is no result, because a guess was wrong. */
 static int run_once(struct loop *loop, bool *late)
 {
     struct run *run = loop->run;

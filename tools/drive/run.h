@@ -32,10 +32,11 @@ struct run_setup {
     bool guess; /* run ahead while no trigger is expected; begin again without, if one comes */
 };
 
-/* Who looks on; each function may be NULL. Times are of the scenario. */
+/* Someone who watches the run, such as the trace. Each function may be NULL. Times are of the
+ * scenario. */
 struct run_observer {
     void *user;
-    void (*restart)(void *user); /* forget all: the run begins again */
+    void (*restart)(void *user); /* the run begins again: forget all */
     void (*pin)(void *user, int64_t t_ns, enum board_pin pin, bool level);
     void (*line)(void *user,
                  const struct telemetry *telemetry); /* the controller sent a CSV line */

@@ -200,7 +200,7 @@ static double driver_push_mps2(const struct car *car)
 
     if (car->ego.driver == DRIVER_COASTS || car->throttle_cut || car->demand_pct > 0 ||
         car->acting_pct > 0) {
-        return 0; /* nobody pushes while the controller brakes */
+        return 0; /* the driver does not accelerate while the controller brakes */
     }
     wish = (car->ego.driver_mps - car->v_mps) * driver_gain_per_s + car->ego.rolling_mps2;
     return fmin(fmax(wish, 0), car->ego.driver_mps2);
@@ -421,7 +421,8 @@ void car_demand(struct car *car, int64_t t_ns, double percent)
         car->acting_pct = percent;
         return;
     }
-    if (car->demand_count == CAR_DEMANDS) { /* faster than any brake follows: the last ones merge */
+    if (car->demand_count ==
+        CAR_DEMANDS) { /* too many for any brake to follow: the last two become one */
         slot = (car->first_demand + car->demand_count - 1) % CAR_DEMANDS;
     } else {
         slot = (car->first_demand + car->demand_count) % CAR_DEMANDS;
