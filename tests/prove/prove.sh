@@ -31,7 +31,7 @@ run() { # UNIT OPTION...
 
 by_wp() { # UNIT
     local unit=$1 label words goals proved
-    if ! run "$unit" -wp -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-20}" -wp-par 2; then
+    if ! run "$unit" -wp -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-60}" -wp-par 2; then
         say "$unit" 1 "frama-c failed; see $out/$unit.log"
         return
     fi
