@@ -58,7 +58,8 @@ faultless "paths exist" "$(wrong_paths)"
 set +f
 
 # --- options and knobs ---------------------------------------------------------------------------------
-for tool in "fistab eval" "fistab check" "fistab table" "fistab plot" drive bound lab; do
+mapfile -t fistab_commands < <(build/fistab --help | sed -nE 's/^  ([a-z]+)  +.*/fistab \1/p')
+for tool in "${fistab_commands[@]}" drive bound lab; do
     # shellcheck disable=SC2086  # a tool and its command
     build/$tool --help >"$out/help_${tool/ /_}"
 done
