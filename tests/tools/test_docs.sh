@@ -205,7 +205,7 @@ faults_in() { # HEADER ENUM
 fault_rows() { # PAGE: the numbers in the table below "| fault |"
     items row "$1" | cut -f2 | awk -F ' *[|] *' '$2 == "fault" { is_on = 1; next } is_on && $2 ~ /^[0-9]+$/ { print $2; next } $2 !~ /^-/ { is_on = 0 }'
 }
-for pair in "docs/brake.md firmware/brake/brake.h brake_fault" "docs/controllers.md firmware/frames/frames.h frames_fault"; do
+for pair in "docs/brake.md firmware/brake/fault.h brake_fault" "docs/controllers.md firmware/frames/frames.h frames_fault"; do
     read -r page header enum <<<"$pair"
     [ "$(fault_rows "$page" | xargs)" = "$(seq "$(($(faults_in "$header" "$enum") - 1))" | xargs)" ]
     say "the faults in $page" $? "listed: $(fault_rows "$page" | xargs); in $header: $(faults_in "$header" "$enum") with none"
