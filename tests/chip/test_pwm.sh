@@ -28,6 +28,11 @@ at_most() { # VALUE LIMIT
     awk -v value="$1" -v limit="$2" 'BEGIN { exit !(value != "" && value <= limit) }'
 }
 
+# Edges are measured to the cycle, and uCsim 0.8.15 loses one with each interrupt: 5,001 where 0.6.4 has 5,000.
+if ! build/drive canary | grep -qF "comes every 5000.00 us"; then
+    say "not_measured_with_a_simulator_that_loses_cycles" 0
+    finish
+fi
 for board in at89s52 generic8052 stc89c516rd; do
     run "$board"
     cat "$s51_dir/found" >&2
