@@ -21,7 +21,10 @@ static void settle(void)
 {
     brake.stop = false;
     brake.brake_pct = demand_pct;
-    brake.state = is_in_reach ? BRAKE_CONTROL : BRAKE_RELEASED;
+    brake.state = BRAKE_RELEASED;
+    if (is_in_reach) {
+        brake.state = BRAKE_CONTROL;
+    }
     if (brake.overridden) {
         brake.brake_pct = 0;
         brake.state = BRAKE_RELEASED;
