@@ -88,7 +88,7 @@ s51_echoes() { # FIRST_US FROM TO DIST_MM|none
     local width_us=38000 start_us k
     [ "$4" = none ] || width_us=$((($4 * 20000 + 1716) / 3432))
     for ((k = $2; k < $3; k++)); do
-        start_us=$(($1 + 60000 * k + 1500))
+        start_us=$(($1 + 60000 * k + ${s51_echo_after_us:-1500}))
         s51_pin "$start_us" echo 1
         s51_pin "$((start_us + width_us))" echo 0
     done
