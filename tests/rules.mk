@@ -24,7 +24,7 @@ TEST_SUITES  := $(TOOL_TESTS) $(filter-out $(LONG_TESTS),$(wildcard tests/tools/
 
 # Slow tests: both engines on all that the fast one drives in `test`, but the ten minutes; every drive of
 # the brake with the other estimator.
-LONG_SUITES := $(LONG_TESTS) $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
+LONG_SUITES := $(LONG_TESTS) 'MCS52_STATES=10000 build/tests/tools/test_mcs52_s51' $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/compare_engines.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
     'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)'
@@ -48,6 +48,6 @@ run-unit-chip: $(WANTED_CHIPS)
 .PHONY: run-test run-test-long
 run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
 	@tests/run.sh $(TEST_SUITES)
-run-test-long: all
+run-test-long: all build/tests/tools/test_mcs52_s51
 	@$(MAKE) BOARD=$(DEFAULT_BOARD) ESTIMATOR=smooth OUT=build/smooth build/smooth/brake.ihx
 	@tests/run.sh $(LONG_SUITES)

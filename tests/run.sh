@@ -3,19 +3,21 @@
 # Runs test suites, as many at a time as there are cores, and adds up what they print.
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits
-# non-zero if any failed. A suite that fails without saying which case, or says nothing, counts as one
+# non-zero if any failed. A case that cannot run here prints IGNORE and the reason, which is shown. A suite that fails without saying which case, or says nothing, counts as one
 # failure. Who reads only the end sees what failed: those lines come once more, then "N passed, N failed".
 set -u
 
 run_suite() {
-    local suite=$1 log status good bad
+    local suite=$1 log status good bad skipped
     log=$(mktemp)
     # stdin is an empty file: a suite never waits for a terminal.
     bash -c "$suite" >"$log" 2>&1 </dev/null
     status=$?
     good=$(grep -acE '^[^ ].*:[0-9]+:.*:PASS$' "$log")
     bad=$(grep -acE '^[^ ].*:[0-9]+:.*:FAIL' "$log")
-    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$good" -eq 0 ]; }; then
+    skipped=$(grep -aE '^[^ ].*:[0-9]+:.*:IGNORE' "$log")
+    [ -z "$skipped" ] || echo "$skipped"
+    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$good$skipped" = 0 ]; }; then
         bad=1
         echo "$suite:0:suite:FAIL: exit status $status after $good cases; its last lines:"
         tail -n 40 "$log"

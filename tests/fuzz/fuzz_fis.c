@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fuzzes the readers, the checks, the inference and the writers of fistab: `make fuzz`.
  * Whatever the bytes, no crash, hang or leak; whatever the system, finite outputs, a Mamdani's in
- * its range; and the .fis that is written of a system gives the same outputs as the system. The first
+ * its range; and the .fis written from a system gives the same outputs as the system. The first
  * byte, where no text begins with it, chooses: after 2 comes an .fll, after 3 an .fcl, and after 1
  * the choices of a generator that writes a .fis, so that the fuzzer reaches odd sets and rules
  * without having to spell them. */
