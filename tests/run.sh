@@ -3,8 +3,9 @@
 # Runs test suites, as many at a time as there are cores, and adds up what they print.
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits
-# non-zero if any failed. A case that cannot run here prints IGNORE and the reason, which is shown. A suite that fails without saying which case, or says nothing, counts as one
-# failure. Who reads only the end sees what failed: those lines come once more, then "N passed, N failed".
+# non-zero if any failed. A case that cannot run here prints IGNORE and the reason, which is shown. A
+# suite that fails without naming a case, or prints no case, counts as one failure. At the end come the
+# failed cases once more, and "N passed, N failed".
 set -u
 
 run_suite() {

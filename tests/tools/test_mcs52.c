@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Under test: tools/drive/sim/mcs52, by cases worked out by hand from Intel's MCS-51 Microcontroller
- * Family User's Manual ("Intel") and the data sheets of AT89S52 and STC89C51RC/RD+. Each case names its
- * rule. Times are machine cycles. */
+/* Under test: tools/drive/sim/mcs52, by cases worked out by hand from Intel's MCS-51
+ * Microcontroller Family User's Manual ("Intel") and the data sheets of AT89S52 and
+ * STC89C51RC/RD+. Each case names its rule. Times are machine cycles. */
 #include "mcs52.h"
 
 #include <stdlib.h>
@@ -153,8 +153,8 @@ static void test_that_timer_2_reloads_and_captures(void)
     TEST_ASSERT_EQUAL_HEX8(0x40, mcs52_sfr(chip, T2CON) & 0x40);
 }
 
-/* AT89S52, clock out: oscillator / (4 * (65536 - RCAP2)), 50 % duty: with FFF4h an edge every 12 states,
- * which are 2 cycles. */
+/* AT89S52, clock out: oscillator / (4 * (65536 - RCAP2)), 50 % duty: with FFF4h an edge every 12
+ * states, which are 2 cycles. */
 static void test_that_timer_2_puts_out_a_clock(void)
 {
     make_chip(MCS52_AT89S52);
@@ -168,8 +168,8 @@ static void test_that_timer_2_puts_out_a_clock(void)
 
 /* --- interrupts --------------------------------------------------------------------------- */
 
-/* Intel, response time: at least three complete cycles between the request and the first instruction
- * of its routine; the LCALL takes two. */
+/* Intel, response time: at least three complete cycles between the request and the first
+ * instruction of its routine; the LCALL takes two. */
 static void test_that_an_interrupt_takes_three_to_eight_cycles(void)
 {
     uint64_t least = 100, most = 0;
@@ -193,8 +193,8 @@ static void test_that_an_interrupt_takes_three_to_eight_cycles(void)
 
 /* --- serial port -------------------------------------------------------------------------- */
 
-/* Intel: T2 as baud rate generator, oscillator / (32 * (65536 - RCAP2)): with FFD9h a bit takes 39 * 16
- * states or 104 cycles. TI comes with the stop bit. */
+/* Intel: T2 as baud rate generator, oscillator / (32 * (65536 - RCAP2)): with FFD9h a bit takes
+ * 39 * 16 states or 104 cycles. TI comes with the stop bit. */
 static void test_that_a_byte_leaves_bit_by_bit(void)
 {
     static const int levels[] = {0, 1, 0, 1, 0, 1}; /* 55h begins 0 1 0 1 0 1 */

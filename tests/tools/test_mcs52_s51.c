@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Under test: the instructions of tools/drive/sim/mcs52, against s51 of uCsim, which is not ours.
+/* Under test: the instructions of tools/drive/sim/mcs52, against s51 of uCsim, which is not
+ * ours.
  *
- * Programs are made while our chip runs them: at each address that it comes to, an instruction is
- * put whose operands do no more than an instruction may do here (no timer is started, no byte is
- * sent) and whose way on leads to unused code memory. So each instruction runs once, from whatever
- * state those before it left behind, until each of the 255 has run STATES times (`make test-long`: 10,000). s51 runs the same
- * programs; every CHUNK instructions all RAM, the registers, the program counter and the cycles
- * must be the same, and at a program's end the external RAM. What one instruction does wrong stays:
- * a chunk overwrites a small part of the RAM only, and cycles add up. */
+ * Programs are made while our chip runs them: at each address that it comes to, an instruction
+ * is put whose operands do no more than an instruction may do here (no timer is started, no byte
+ * is sent) and whose way on leads to unused code memory. So each instruction runs once, from
+ * whatever state those before it left behind, until each of the 255 has run STATES times (`make
+ * test-long`: 10,000). s51 runs the same programs; every CHUNK instructions all RAM, the
+ * registers, the program counter and the cycles must be the same, and at a program's end the
+ * external RAM. What one instruction does wrong stays: a chunk overwrites a small part of the
+ * RAM only, and cycles add up. */
 #include "mcs52.h"
 
 #include <fcntl.h>
