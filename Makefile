@@ -43,8 +43,6 @@ SHELL     := /bin/bash
 .DEFAULT_GOAL := all
 Q := $(if $(V),,@)
 VERSION := $(shell sed -n 's/^\#\# \([0-9][0-9.]*\).*/\1/p;T;q' CHANGELOG.md)
-# Where an image has the address of the text that says who it is (firmware/mcu/identity.h).
-IDENTITY_AT := 0x06
 export ENGINE NO_INSTALL UNITY_DIR MAP ONLY JOBS SSHLOGIN
 
 DEFAULT_BOARD := stc89c516rd

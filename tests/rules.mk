@@ -45,8 +45,10 @@ run-unit-chip: $(WANTED_CHIPS)
 	$(if $^,,$(error test '$(TEST)' is not one of the chip's; these are: $(patsubst test_%.ihx,%,$(notdir $(CHIP_TESTS)))))
 	@tests/run.sh $(^:%='tests/run_chip.sh %')
 
-.PHONY: run-test run-test-long
-run-test: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
+.PHONY: test-build run-test run-test-long
+test-build: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
+run-test:
+	@$(MAKE) -j$$(nproc) test-build
 	@tests/run.sh $(TEST_SUITES)
 run-test-long: all build/tests/tools/test_mcs52_s51
 	@$(MAKE) BOARD=$(DEFAULT_BOARD) ESTIMATOR=smooth OUT=build/smooth build/smooth/brake.ihx

@@ -29,7 +29,7 @@ check_c() { # OPTION|FILE...
 # Each C file is checked with the options that make compiles it with, the firmware for one board.
 board=stc89c516rd
 mkdir -p build
-make -nB BOARD=$board V=1 run-test >build/lint.make || exit 2
+make -nB BOARD=$board V=1 test-build >build/lint.make || exit 2
 grep -oE 'build/[^ ]*lut_table\.h' build/lint.make | sort -u | xargs make -s BOARD=$board >/dev/null || exit 2
 awk '
     / -c / {

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Host tools: each folder of tools/ with a main.c becomes build/NAME. A folder's own rules.mk says
 # what else is to be linked.
+# Where an image has the address of the text that says who it is (firmware/mcu/identity.h).
+IDENTITY_AT := 0x06
 HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Werror -MMD -MP \
     -Itools/common -Ibuild -DFUZZY51_VERSION='"$(VERSION)"'
 SANITIZE   := -fsanitize=address,undefined -fno-sanitize-recover=all
