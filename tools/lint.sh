@@ -41,9 +41,10 @@ awk '
     }
     END { for (options in files) print options files[options] }' build/lint.make | tr -d "'" >build/lint.txt
 
-# The others: images that the tests themselves build, and programs that are linked in one step.
+# The others: images that the tests themselves build, and programs that are linked in one step. The proof
+# units are left out, because they only include the firmware's own files.
 mapfile -t folders < <(git ls-files 'firmware/*.h' 'tools/*.h' | xargs -n 1 dirname | sort -u)
-mapfile -t others < <(git ls-files '*.c' ':!tests/bad' | grep -vxFf <(tr ' ' '\n' <build/lint.txt))
+mapfile -t others < <(git ls-files '*.c' ':!tests/bad' ':!tests/prove' | grep -vxFf <(tr ' ' '\n' <build/lint.txt))
 echo "chip -DCLK_HZ=12000000UL -Ibuild -Ibuild/$board/brake ${folders[*]/#/-I} ${others[*]}" >>build/lint.txt
 
 while read -ra words; do

@@ -44,8 +44,9 @@ for ((n = 0; n < lines && ${#wrong} == 0; n++)); do
     *) cmp -s tests/good/plain.fis "$room/my.fis" || [ "${line[1]}" = no.fis ] || wrong="the input has changed" ;;
     esac
     [ -L "$room/link.fis" ] && [ -L "$room/link.csv" ] || wrong="a link is a link no more"
-    [ $status -eq 0 ] || [ -z "$(ls "$room" | grep -E '^(made|target)')" ] || wrong="left $(ls "$room" | grep -E '^(made|target)')"
-    left=$(ls -A "$room" | grep -vxE 'my\.fis|my\.fll|hard\.fis|link\.fis|link\.csv|target\.csv|made\.(h|csv|txt|svg)')
+    made=$(find "$room" -name 'made*' -o -name 'target*')
+    [ $status -eq 0 ] || [ -z "$made" ] || wrong="left $made"
+    left=$(find "$room" -mindepth 1 -printf '%f\n' | grep -vxE 'my\.fis|my\.fll|hard\.fis|link\.fis|link\.csv|target\.csv|made\.(h|csv|txt|svg)')
     [ -z "$left" ] || wrong="left $left"
     [ -z "$wrong" ] || wrong="SEED=$seed, line $n, fistab ${line[*]}: $wrong"
 done

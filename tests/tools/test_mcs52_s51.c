@@ -339,7 +339,9 @@ static void make_program(FILE *commands)
     struct program *program;
     long steps = 0;
 
-    programs = realloc(programs, (program_count + 1) * sizeof *programs);
+    program = realloc(programs, (program_count + 1) * sizeof *programs);
+    TEST_ASSERT_NOT_NULL(program);
+    programs = program;
     program = &programs[program_count];
     memset(program, 0, sizeof *program);
     memset(used, 0, sizeof used);

@@ -372,7 +372,7 @@ static bool is_turning(const struct search *search, int at, int header)
  * function that was called, because a function may end with a jump to another one. */
 static uint16_t owner_of(const struct flow *flow, uint16_t address)
 {
-    while (address > 0 && flow->listing->names[address] == NULL) {
+    while (flow->listing->names[address] == NULL && address != 0) {
         address--;
     }
     return address;

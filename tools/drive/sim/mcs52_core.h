@@ -61,6 +61,7 @@ INLINE uint8_t get(struct core *x, uint8_t address)
     if (address < 0x80) {
         return x->chip->ram[address];
     }
+    /* cppcheck-suppress arrayIndexOutOfBoundsCond ; a uint8_t is never 256 */
     return mcs52_special[address] & READ_SPECIAL ? get_special(x, address, x->now)
                                                  : x->chip->sfr[address];
 }
@@ -72,6 +73,7 @@ INLINE uint8_t get_latch(struct core *x, uint8_t address)
     if (address < 0x80) {
         return x->chip->ram[address];
     }
+    /* cppcheck-suppress arrayIndexOutOfBoundsCond ; a uint8_t is never 256 */
     return (mcs52_special[address] & (WRITE_SPECIAL | IS_PORT)) == WRITE_SPECIAL
                ? get_special(x, address, x->end - 1)
                : x->chip->sfr[address];
@@ -93,6 +95,7 @@ INLINE void put(struct core *x, uint8_t address, uint8_t value)
 {
     if (address < 0x80) {
         x->chip->ram[address] = value;
+        /* cppcheck-suppress arrayIndexOutOfBoundsCond ; a uint8_t is never 256 */
     } else if (mcs52_special[address] & WRITE_SPECIAL) {
         put_special(x, address, value);
     } else {

@@ -266,11 +266,11 @@ INLINE void instruction(struct core *x)
         break;
     case 0xA0: /* ORL C, /bit */
         x->pc += 2;
-        set_carry(x, !get_bit(x, p[1]) | carry(x));
+        set_carry(x, (!get_bit(x, p[1])) | carry(x));
         break;
     case 0xB0: /* ANL C, /bit */
         x->pc += 2;
-        set_carry(x, !get_bit(x, p[1]) & carry(x));
+        set_carry(x, (!get_bit(x, p[1])) & carry(x));
         break;
     case 0xA2: /* MOV C, bit */
         x->pc += 2;

@@ -29,8 +29,10 @@ static int first_due(const struct mcs52 *chip)
     int first = EVENT_PIN;
 
     for (int event = 0; event < EVENT_FAULT; event++) {
-        if (can_happen(chip, event) && (chip->due[event] < chip->due[first] ||
-                                        (chip->due[event] == chip->due[first] && event < first))) {
+        bool is_earlier = chip->due[event] < chip->due[first];
+        bool is_equal = chip->due[event] == chip->due[first];
+
+        if (can_happen(chip, event) && (is_earlier || (is_equal && event < first))) {
             first = event;
         }
     }

@@ -131,9 +131,9 @@ static unsigned rx_ticks(const struct mcs52 *chip)
 static void plan_tx(struct mcs52 *chip)
 {
     if (mode(chip) != 0 && chip->tx_position > 0 && !chip->tx_rolled) {
-        uint64_t roll_over = cycle_of_tick(&chip->tx_clock, TICKS - chip->tx_clock.phase);
+        uint64_t at = cycle_of_tick(&chip->tx_clock, TICKS - chip->tx_clock.phase);
 
-        mcs52_schedule(chip, EVENT_TX, roll_over == NEVER ? NEVER : roll_over + 1);
+        mcs52_schedule(chip, EVENT_TX, at == NEVER ? NEVER : at + 1);
     }
 }
 

@@ -344,6 +344,7 @@ static void draw(struct picture *picture, const struct scenario *scenario, const
     plan_begin(picture, PLAN_ROWS_MAX, row_m, row_m / 2, PLAN_ROWS_MAX - 1 - BELOW_ROWS);
     plan_mark(picture, x_m, y_m, '.');
     for (double part_m = 0; part_m <= length_m; part_m += row_m / 4) {
+        /* cppcheck-suppress duplicateExpression ; the width of the place happens to be 2 m */
         plan_put(picture, -place_m / 2 - row_m / 4, part_m, '[');
         plan_put(picture, place_m / 2 + row_m / 4, part_m, ']');
     }
