@@ -104,6 +104,15 @@ wrong_make() {
 faultless "targets and knobs of make exist" "$(wrong_make)"
 set +f
 
+# of_image NAME STATUS [WHY]: as say, for a figure of an image. The pages state those of SDCC 4.2.0.
+of_image() {
+    if sdcc --version | grep -qF 'mcs51' && ! sdcc --version | grep -qF ' 4.2.0 '; then
+        echo "$0:$LINENO:$1:IGNORE: the pages state what the images of SDCC 4.2.0 do"
+    else
+        say "$@"
+    fi
+}
+
 # --- output --------------------------------------------------------------------------------------------
 # What a console block shows below a command is what that prints; a line "..." stands for any lines. What
 # the long ones print is taken from what they call.
@@ -135,17 +144,23 @@ for file in "$out"/shown*.command; do
             }
             if (!any && at <= lines) print "also prints: " got[at]
         }' "${file%.command}.lines" "${file%.command}.output")
-    faultless "$(cat "${file%.command}.place") $(cat "$file")" "$fault"
+    [ -z "$fault" ]
+    status=$?
+    case $(cat "$file") in
+    "make demo" | build/drive\ run*) judge=of_image ;;
+    *) judge=say ;;
+    esac
+    $judge "$(cat "${file%.command}.place") $(cat "$file")" $status "$fault"
 done
 
 sentence=$(grep -m 1 '^Standing car ahead' "$out"/shown*.output | sed 's/^[^:]*://')
 grep -qF ">$sentence<" docs/pictures/live.svg && [ -n "$sentence" ]
-say "the picture of the loop shows the demo" $? "it lacks '$sentence'; run make pictures"
+of_image "the picture of the loop shows the demo" $? "it lacks '$sentence'; run make pictures"
 
 shows() { # NAME PATTERN FILE PAGE: the blocks of PAGE have lines of that form, and each is a line of FILE
     items block "$4" | cut -f2 | grep -E -- "$2" >"$out/seen"
     [ -s "$out/seen" ] && ! grep -vxF -f "$3" "$out/seen" >"$out/untrue"
-    say "$1" $? "$4 shows '$(head -n 1 "$out/untrue")'; it is '$(grep -m 1 -F -- "$(head -n 1 "$out/untrue" | cut -c1-8)" "$3")'"
+    of_image "$1" $? "$4 shows '$(head -n 1 "$out/untrue")'; it is '$(grep -m 1 -F -- "$(head -n 1 "$out/untrue" | cut -c1-8)" "$3")'"
 }
 drive=(build/drive run --board "$board" --scenario)
 "${drive[@]}" tests/loop/standing_car_3mps.scn --uart "$out/log" >/dev/null
@@ -161,7 +176,7 @@ sed 's/; deepest.*//' "build/$board/brake.bound" >"$out/bound"
 sed -n 's/; deepest.*//p' docs/bound.md >>"$out/bound.shown"
 shows "the bounds" '^(pwm_interrupt|control_step): ' "$out/bound" docs/bound.md
 [ -s "$out/bound.shown" ] && grep -qxF -f "$out/bound.shown" "$out/bound"
-say "the stack's bound" $? "docs/bound.md shows '$(cat "$out/bound.shown")'; it is '$(grep '^stack: ' "$out/bound")'"
+of_image "the stack's bound" $? "docs/bound.md shows '$(cat "$out/bound.shown")'; it is '$(grep '^stack: ' "$out/bound")'"
 items block docs/drive.md | cut -f2 | sed -n '/^\[scenario\]$/,$p' >"$out/shown.scn"
 "${drive[@]}" "$out/shown.scn" >"$out/said" 2>&1
 say "the scenario shown" $? "$(head -n 1 "$out/said")"
