@@ -16,7 +16,7 @@ FRAMES=80
 mkdir -p "$work"
 
 apps() { basename -s .ihx "build/$1"/*.ihx; } # BOARD
-is_brake() { case $1 in brake | tuned | classic | first | none) ;; *) false ;; esac; }
+is_brake() { [ -e "build/$1/$2/brake/main.rel" ]; }      # BOARD APP
 
 # --- measuring: of each controller a file of "name value" lines ------------------------------------
 
@@ -102,13 +102,13 @@ run_brake() { # BOARD APP
 }
 
 run_frames() { # BOARD APP
-    local kinds=(radar gap follow park) family=${2%%_*} kind=0 bytes per_second=200
-    while [ "${kinds[kind]}" != "$family" ]; do kind=$((kind + 1)); done
+    local family=${2%%_*} kind bytes per_second=200
+    kind=$(awk -v name="FRAME_${family^^}" '$1 == name { print $3 + 0 }' firmware/frames/frame.h)
     bytes=$(awk '$2 ~ /_PAYLOAD_BYTES$/ { print $3 }' "firmware/$family/$family.h")
-    [ "$family" = radar ] || per_second=300 # the servo's
+    [ ! -e "build/$1/$2/mcu/servo.rel" ] || per_second=300 # with the servo's
     S51_TYPES=1 s51_start "$1" "build/$1/$2.ihx"
     s51_until 400000
-    "build/bench/line_$family" $((kind + 1)) "$bytes" "$FRAMES" >"$s51_dir/frames"
+    "build/bench/line_$family" "$kind" "$bytes" "$FRAMES" >"$s51_dir/frames"
     cat "$s51_dir/frames" >&"$s51_keys"
     s51_until $((500000 + $(wc -c <"$s51_dir/frames") * 1050))
     s51_ask $((500010 + $(wc -c <"$s51_dir/frames") * 1050)) >"$s51_dir/state"
@@ -120,7 +120,7 @@ run_frames() { # BOARD APP
 
 measure() { # BOARD APP
     step_cycles "$1" "$2"
-    if is_brake "$2"; then run_brake "$1" "$2"; else run_frames "$1" "$2"; fi
+    if is_brake "$1" "$2"; then run_brake "$1" "$2"; else run_frames "$1" "$2"; fi
     # memory.sh's line: code N of M bytes, RAM N of M bytes
     tools/memory.sh "$1" "$2" | sed -E 's/.* code +([0-9]+) .* RAM +([0-9]+) of.*/flash \1\nram \2/'
 }
