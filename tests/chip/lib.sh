@@ -100,12 +100,12 @@ s51_type() {
 
 s51_until() { # TIME_US
     printf '#%d500\n1%%\n#%d500\n' "$1" "$(($1 + 1))" >&"$s51_pins"
-    # The sync is the last thing that it writes before it stands still.
-    until { head -n 40 "$s51_dir/out"; tail -n 2 "$s51_dir/out"; } 2>/dev/null | awk -v due="$1" '
+    # After the sync it writes at most the edges of one more microsecond before it stands still.
+    until { head -n 40 "$s51_dir/out"; tail -n 12 "$s51_dir/out"; } 2>/dev/null | awk -v due="$1" '
         $1 == "$timescale" { scale = $2 ~ /ps/ ? 1e-6 : $2 ~ /ns/ ? 1e-3 : 1; scale *= $2 + 0 }
         $1 == "$var" && $5 == "sync" { id = $4 }
-        /^#/ { time = substr($1, 2) * scale; seen = 0; next }
-        /^b/ { seen = $2 == id && time >= due && time < due + 3 }
+        /^#/ { time = substr($1, 2) * scale; next }
+        /^b/ && $2 == id && time >= due && time < due + 3 { seen = 1 }
         END { exit !seen }'; do
         kill -0 "$s51_pid" 2>/dev/null || {
             echo "s51: error: left before $1 us; its last words:" >&2
