@@ -36,7 +36,7 @@ awk '
         of_chip = $1 == "sdcc"
         if (of_chip && /-DUNITY/) next # a unit test, which the host compiles, too
         options = of_chip ? "chip" : "host"
-        for (i = 1; i < NF; i++) if ($i ~ /^-[DI]/) options = options " " $i
+        for (i = 1; i < NF; i++) if ($i ~ /^-[DI]/ && $i !~ /^-DIDENTITY=/) options = options " " $i
         for (i = 1; i < NF; i++) if ($i == "-c" && !seen[options, $(i + 1)]++) files[options] = files[options] " " $(i + 1)
     }
     END { for (options in files) print options files[options] }' build/lint.make | tr -d "'" >build/lint.txt

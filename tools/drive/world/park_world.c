@@ -330,7 +330,7 @@ static char stroke(double angle_deg)
 static void draw(struct picture *picture, const struct scenario *scenario, const double *values,
                  const struct telemetry *telemetry)
 {
-    static const double margin = 1.25, place_m = 2;
+    static const double margin = 1.25, half_place_m = 1;
     enum { BELOW_ROWS = 2 }; /* room below y = 0 */
     const struct park_settings *settings = (const void *)scenario->settings;
     double length_m = settings->park.length_m;
@@ -344,9 +344,8 @@ static void draw(struct picture *picture, const struct scenario *scenario, const
     plan_begin(picture, PLAN_ROWS_MAX, row_m, row_m / 2, PLAN_ROWS_MAX - 1 - BELOW_ROWS);
     plan_mark(picture, x_m, y_m, '.');
     for (double part_m = 0; part_m <= length_m; part_m += row_m / 4) {
-        /* cppcheck-suppress duplicateExpression ; the width of the place happens to be 2 m */
-        plan_put(picture, -place_m / 2 - row_m / 4, part_m, '[');
-        plan_put(picture, place_m / 2 + row_m / 4, part_m, ']');
+        plan_put(picture, -half_place_m - row_m / 4, part_m, '[');
+        plan_put(picture, half_place_m + row_m / 4, part_m, ']');
     }
     for (double part_m = 0; part_m <= length_m; part_m += row_m / 4) {
         plan_put(picture, x_m + part_m * along_x, y_m + part_m * along_y, '#');
