@@ -36,7 +36,7 @@ const uint16_t __code bench_steps = 4000;
 #define TICKS_PER_MM_Q6 ((uint16_t)(CLK_HZ / 12U * 128U / SOUND_MMPS))
 
 static __idata uint16_t noise = 1, n, place_mm;
-static __idata uint8_t faults_seen, states_seen, elapsed_cs;
+static __idata uint8_t faults_seen, states_seen, since_cs;
 static __idata int16_t step_mm; /* nearer, each reading */
 static __idata uint16_t echo_ticks;
 
@@ -94,9 +94,9 @@ static uint8_t next_echo(void)
 {
     uint8_t what = chance();
 
-    elapsed_cs = PLAIN_CS;
+    since_cs = PLAIN_CS;
     if (what < 8) {
-        elapsed_cs = (uint8_t)(CLOSING_SPAN_MIN_CS + (chance() & 15));
+        since_cs = (uint8_t)(CLOSING_SPAN_MIN_CS + (chance() & 15));
     }
     if (what >= 250) {
         return what & 1 ? HAL_ECHO_NOT_RISEN : HAL_ECHO_NOT_FALLEN;
@@ -110,7 +110,7 @@ static uint8_t next_echo(void)
 
 static void pass_time(void)
 {
-    uint8_t cs = elapsed_cs;
+    uint8_t cs = since_cs;
     bool is_held = (n & 1023U) < 40U;
 
     do {
@@ -130,7 +130,7 @@ uint16_t bench_step(uint16_t step)
     }
     drive();
     echo = next_echo();
-    brake_expect(elapsed_cs);
+    brake_expect(since_cs);
     pass_time();
     stop_mc = brake.stop ? 1 : 0; /* only what begins counts */
     BENCH_START();
