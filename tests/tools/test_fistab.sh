@@ -207,11 +207,11 @@ for command in eval check table plot convert; do
     faultless "completion_of_$command" "$(grep -v -- --usage "$out/in_help" | diff - <(tr -d = <<<"$words" | sort -u))"
 done
 expect completion_of_commands 0 convert "" bash -c "source <($fistab --completion); COMP_WORDS=(fistab co); COMP_CWORD=1; _fistab; echo \"\${COMPREPLY[@]}\""
-check install_puts_the_tools_in_place make --no-print-directory install "DESTDIR=$PWD/$out/root" PREFIX=/usr
+check install_puts_the_tools_in_place make --no-print-directory install "DESTDIR=$PWD/$out/staged" PREFIX=/usr
 for tool in fistab drive bound; do
-    check "installed_$tool" "$out/root/usr/bin/$tool" --version
-    check "manual_page_of_$tool" grep -q "^.TH ${tool^^} 1" "$out/root/usr/share/man/man1/$tool.1"
-    check "completion_file_of_$tool" grep -q "^complete .* $tool\$" "$out/root/usr/share/bash-completion/completions/$tool"
+    check "installed_$tool" "$out/staged/usr/bin/$tool" --version
+    check "manual_page_of_$tool" grep -q "^.TH ${tool^^} 1" "$out/staged/usr/share/man/man1/$tool.1"
+    check "completion_file_of_$tool" grep -q "^complete .* $tool\$" "$out/staged/usr/share/bash-completion/completions/$tool"
 done
 check help_shows_an_example bash -c "$fistab --help | grep -q 'fistab table heater.fis --grid=32x32 -o heater.h'"
 
