@@ -153,7 +153,7 @@ fetch_unity() {
 for target in "${@:-build}"; do
     packages=$(packages_for "$target")
     needs_unity=0
-    case $target in unit | test) needs_unity=1 ;; esac
+    case $target in unit | test | lint) needs_unity=1 ;; esac
     if [ $needs_unity = 1 ] && [ -n "${UNITY_DIR:-}" ]; then take_unity; fi
     # shellcheck disable=SC2086  # a list of words
     if may_install; then
