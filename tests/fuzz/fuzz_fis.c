@@ -158,8 +158,7 @@ static void check_text(const char *file, const char *text, size_t size)
     fis_free(&fis);
 }
 
-/* --- the generator
- * -------------------------------------------------------------------------------- */
+/* --- the generator --------------------------------------------------------------------------- */
 
 struct choices {
     const uint8_t *data;

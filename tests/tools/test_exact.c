@@ -42,8 +42,7 @@ static void system_of(const char *imp, const char *agg, const char *defuzz, doub
 #define ONE_RULE  "1 0, 1 (1) : 1"
 #define TWO_RULES "1 0, 1 (1) : 1\n0 1, 2 (1) : 1"
 
-/* --- straight sets: to the last digits
- * -------------------------------------------------------------- */
+/* --- straight sets: to the last digits ------------------------------------------------------- */
 
 /* trimf [0 0 10] cut at 0.5: a box of 5 and a triangle. Area 3.75, moment 6.25 + 25/3. */
 static void test_a_cut_triangle(void)
@@ -189,8 +188,7 @@ static void test_an_envelope_of_overlapping_sets(void)
     }
 }
 
-/* --- curved sets: to 1e-9 of the range
- * --------------------------------------------------------------- */
+/* --- curved sets: to 1e-9 of the range ------------------------------------------------------- */
 
 /* e^(-x^2/8) over 0..10: area 2 sqrt(pi/2) erf(10/(2 sqrt 2)), moment 4 (1 - e^-12.5). */
 static void test_half_a_bell(void)
@@ -363,8 +361,7 @@ static void test_a_straight_and_a_curved_set_under_max(void)
          output(0, 1, 1));
 }
 
-/* --- against ever more samples
- * ------------------------------------------------------------------------ */
+/* --- against ever more samples --------------------------------------------------------------- */
 
 /* The sampled answer tends to the exact one as 1 over the number of samples: with one more of
  * weight 1 at an end the centroid moves by less than two steps; the other methods are off by the

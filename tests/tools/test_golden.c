@@ -114,8 +114,7 @@ static void close_to(double expected, double got, double tolerance, const struct
     TEST_ASSERT_TRUE_MESSAGE(fabs(expected - got) <= tolerance, message);
 }
 
-/* --- membership functions ------------------------------------------------------------------------
- */
+/* --- membership functions -------------------------------------------------------------------- */
 
 static double degree_of(const struct row *row)
 {
@@ -157,8 +156,7 @@ static void test_membership_functions_equal_those_of_fuzzylite(void)
     TEST_ASSERT_EQUAL(6 * 34, each_row("tests/golden/mf_fuzzylite.csv", membership_as_share));
 }
 
-/* --- Mamdani -------------------------------------------------------------------------------------
- */
+/* --- Mamdani --------------------------------------------------------------------------------- */
 
 /* and,or,imp,agg,output,x1,x2,centroid,bisector,mom,som,lom */
 static void mamdani(const struct row *row)
@@ -194,8 +192,7 @@ static void test_brake_surfaces_equal_those_of_octave(void)
     fis_free(&fis);
 }
 
-/* --- Sugeno --------------------------------------------------------------------------------------
- */
+/* --- Sugeno ---------------------------------------------------------------------------------- */
 
 /* and,or,defuzz,x1,x2,y1,y2 */
 static void sugeno(const struct row *row, double tolerance)
@@ -236,8 +233,7 @@ static void test_sugeno_equals_fuzzylite(void)
     fis_free(&fis);
 }
 
-/* --- exact ---------------------------------------------------------------------------------------
- */
+/* --- exact ----------------------------------------------------------------------------------- */
 
 static int exact_row;
 

@@ -37,8 +37,7 @@ static void near_(double expected, double got, int line)
     "10]\n"                                                                                        \
     "MF3='middle':'trimf',[0 5 10]\n"
 
-/* --- the brake
- * ------------------------------------------------------------------------------------ */
+/* --- the brake ------------------------------------------------------------------------------- */
 
 static void test_spot_values_of_the_brake(void)
 {
@@ -55,8 +54,7 @@ static void test_spot_values_of_the_brake(void)
     }
 }
 
-/* --- three samples at 0, 5 and 10
- * ----------------------------------------------------------------- */
+/* --- three samples at 0, 5 and 10 ------------------------------------------------------------ */
 
 /* x = 6: falls 0.4, so low (1, 0.5, 0) becomes 0.4, 0.4, 0. */
 static void test_min_cuts_a_set(void)
@@ -130,8 +128,7 @@ static void test_a_plateau_that_ends_on_samples_keeps_its_ends(void)
     NEAR(0, output(101, 3.32, 0));
 }
 
-/* --- MathWorks' own example of defuzz: the answers stand in its documentation
- * ---------------------- */
+/* --- MathWorks' own example of defuzz: the answers stand in its documentation ---------------- */
 
 static void test_the_example_of_matlabs_documentation(void)
 {
@@ -181,8 +178,7 @@ static void test_that_an_empty_set_has_no_centre(void)
     NEAR(7, y);
 }
 
-/* --- rules: a Sugeno system gives the strengths away
- * ----------------------------------------------- */
+/* --- rules: a Sugeno system gives the strengths away ----------------------------------------- */
 
 /* One rule says 1, one says 0 with strength 1: the answer is s / (s + 1). */
 #define STRENGTH                                                                                   \
@@ -218,8 +214,7 @@ static void test_strengths_of_rules(void)
     NEAR(0, strength("min", "max", "1 1, 1 (0) : 1"));
 }
 
-/* --- Sugeno
- * ---------------------------------------------------------------------------------------- */
+/* --- Sugeno ---------------------------------------------------------------------------------- */
 
 static void test_sugeno_weighs_planes(void)
 {
@@ -248,8 +243,7 @@ static void test_a_rule_that_leaves_an_output_out_does_not_count_for_it(void)
     NEAR(9, y[1]);
 }
 
-/* --- nothing fires
- * --------------------------------------------------------------------------------- */
+/* --- nothing fires --------------------------------------------------------------------------- */
 
 static void test_without_a_rule_the_answer_is_the_middle_of_the_range(void)
 {

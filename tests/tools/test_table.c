@@ -179,8 +179,7 @@ static void test_that_a_hole_makes_no_table(void)
     TEST_ASSERT_EQUAL(EXIT_INPUT, table_make(&fis, OPTIONS(100, .nodes = false), &table));
 }
 
-/* --- reciprocals
- * ---------------------------------------------------------------------------------- */
+/* --- reciprocals ----------------------------------------------------------------------------- */
 
 static void check_reciprocal(unsigned long span, unsigned long cells)
 {
@@ -222,8 +221,7 @@ static void test_there_is_no_reciprocal_of_what_does_not_fit(void)
     TEST_ASSERT_FALSE(header_reciprocal(0, 100, &mul, &shift));
 }
 
-/* --- check sums
- * ------------------------------------------------------------------------------------ */
+/* --- check sums ------------------------------------------------------------------------------ */
 
 static void test_check_sums_have_their_published_values(void)
 {

@@ -704,8 +704,7 @@ static void test_stop_ends_before_another_target(void)
     TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
 }
 
-/* --- the demand is held ------------------------------------------------------------------------
- */
+/* --- the demand is held ---------------------------------------------------------------------- */
 
 static void test_a_missing_second_reading_does_not_interrupt_stop(void)
 {

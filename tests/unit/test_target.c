@@ -232,8 +232,7 @@ static void test_the_one_aside_is_forgotten_after_a_long_silence(void)
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, echo_after(1900, 20));
 }
 
-/* --- a stray echo just before the target -------------------------------------------------------
- */
+/* --- a stray echo just before the target ----------------------------------------------------- */
 
 static void test_an_echo_behind_what_has_just_entered_has_entered_late(void)
 {

@@ -56,8 +56,7 @@ static bool complain(const struct flow *flow, uint16_t address, const char *what
     return false;
 }
 
-/* --- graph --------------------------------------------------------------------------------------
- */
+/* --- graph ----------------------------------------------------------------------------------- */
 
 static int add_node(struct function *function, int16_t *index, uint16_t address, int depth)
 {
@@ -276,8 +275,7 @@ long flow_deepest(const struct flow *flow, uint16_t entry)
     return flow->functions[entry]->deepest;
 }
 
-/* --- cycles -------------------------------------------------------------------------------------
- */
+/* --- cycles ---------------------------------------------------------------------------------- */
 
 /* The search for the longest path through part of a function. */
 struct search {

@@ -45,8 +45,7 @@ void diag_warning(const char *file, int line, const char *format, ...)
     va_end(arguments);
 }
 
-/* --- files --------------------------------------------------------------------------------------
- */
+/* --- files ----------------------------------------------------------------------------------- */
 
 /* The temporary files that are open now, for the handler of signals. A slot is free while its first
  * byte is 0. */

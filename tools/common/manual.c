@@ -28,8 +28,7 @@ static void each_option(const struct argp *argp, FILE *out,
     }
 }
 
-/* --- help ---------------------------------------------------------------------------------------
- */
+/* --- help ------------------------------------------------------------------------------------ */
 
 void manual_help(FILE *out, const struct manual *manual)
 {
@@ -41,8 +40,7 @@ void manual_help(FILE *out, const struct manual *manual)
             manual->program);
 }
 
-/* --- the manual page ----------------------------------------------------------------------------
- */
+/* --- the manual page ------------------------------------------------------------------------- */
 
 /* Text for roff: \ and - are written so that they stay, a line does not begin with a dot. */
 static void put_roff(FILE *out, const char *text, size_t length)
@@ -168,8 +166,7 @@ static void write_man(FILE *out, const struct manual *manual)
         out);
 }
 
-/* --- bash completion ----------------------------------------------------------------------------
- */
+/* --- bash completion ------------------------------------------------------------------------- */
 
 static void put_word(FILE *out, const struct argp_option *option)
 {

@@ -24,8 +24,7 @@ struct checker {
 #define FOUND_WARNING(c, line, ...)                                                                \
     ((c)->findings->warnings++, diag_warning((c)->fis->file, line, __VA_ARGS__))
 
-/* --- words --------------------------------------------------------------------------------------
- */
+/* --- words ----------------------------------------------------------------------------------- */
 
 struct text {
     char buffer[500];
@@ -58,8 +57,7 @@ static void append_stretch(struct text *text, double low, double high)
     }
 }
 
-/* --- sets ---------------------------------------------------------------------------------------
- */
+/* --- sets ------------------------------------------------------------------------------------ */
 
 /* Does SET have a point in its variable's range where it, or its negation, is above 0? */
 static bool set_is_there(const struct variable *variable, const struct set *set, bool negated)
@@ -181,8 +179,7 @@ static void check_set_hole(struct checker *c, size_t i)
     }
 }
 
-/* --- rules --------------------------------------------------------------------------------------
- */
+/* --- rules ----------------------------------------------------------------------------------- */
 
 /* Why RULE cannot fire; NULL if it can. */
 static const char *never_fires(const struct fis *fis, const struct rule *rule)
@@ -318,8 +315,7 @@ static void check_rule_pairs(struct checker *c)
     free(sorted);
 }
 
-/* --- gaps ---------------------------------------------------------------------------------------
- */
+/* --- gaps ------------------------------------------------------------------------------------ */
 
 /* "distance_m is 4 to 5 (normal) and closing_mps is 20 to 35 (medium, large)" */
 static void describe_box(const struct checker *c, const struct box *box, struct text *text)
@@ -403,8 +399,7 @@ static void check_rule_gaps(struct checker *c)
     free(counts);
 }
 
-/* --- all ----------------------------------------------------------------------------------------
- */
+/* --- all ------------------------------------------------------------------------------------- */
 
 static void make_zones(struct checker *c)
 {

@@ -59,8 +59,7 @@ static double of_maximum(enum fis_defuzz method, const double *x, const double *
     return method == DEFUZZ_LOM ? largest_x : sum / (double)points;
 }
 
-/* --- fuzzylite's ways ---------------------------------------------------------------------------
- */
+/* --- fuzzylite's ways ------------------------------------------------------------------------ */
 
 /* Values nearer than this are the same to fuzzylite 6. */
 #define FUZZYLITE_SAME 1e-6

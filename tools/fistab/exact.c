@@ -40,8 +40,7 @@ struct work {
     bool failed;
 };
 
-/* --- values -------------------------------------------------------------------------------------
- */
+/* --- values ---------------------------------------------------------------------------------- */
 
 static double term_set(const struct exact_term *term, double x)
 {
@@ -65,8 +64,7 @@ static double aggregate_at(double x, const void *context)
     return sum;
 }
 
-/* --- cuts ---------------------------------------------------------------------------------------
- */
+/* --- cuts ------------------------------------------------------------------------------------ */
 
 static int by_value(const void *a, const void *b)
 {
@@ -147,8 +145,7 @@ static void cut_term(struct work *w, const struct exact_term *term)
     }
 }
 
-/* --- pieces -------------------------------------------------------------------------------------
- */
+/* --- pieces ---------------------------------------------------------------------------------- */
 
 static struct piece *new_piece(struct work *w, double left, double right)
 {
@@ -290,8 +287,7 @@ static struct moments total(const struct work *w)
     return sum;
 }
 
-/* --- methods ------------------------------------------------------------------------------------
- */
+/* --- methods --------------------------------------------------------------------------------- */
 
 /* Where, from the left of PIECE, the area is AREA. */
 static double share(const struct work *w, const struct piece *piece, double area)
@@ -461,8 +457,7 @@ static double of_maximum(const struct work *w, enum fis_defuzz method)
     return s.length > 0 ? s.moment / s.length : s.sum / (double)s.points;
 }
 
-/* --- all together -------------------------------------------------------------------------------
- */
+/* --- all together ---------------------------------------------------------------------------- */
 
 static bool prepare(struct work *w)
 {

@@ -50,8 +50,7 @@ struct engine {
     bool *fired;
 };
 
-/* --- setting up ---------------------------------------------------------------------------------
- */
+/* --- setting up ------------------------------------------------------------------------------ */
 
 static size_t find_consequent(struct output_plan *plan, const struct set *set, bool negated,
                               enum tnorm imp_method)
@@ -257,8 +256,7 @@ void engine_free(struct engine *e)
     free(e);
 }
 
-/* --- a point ------------------------------------------------------------------------------------
- */
+/* --- a point --------------------------------------------------------------------------------- */
 
 /* An input that has not moved since the last point keeps its degrees: in a table most have not. */
 static void fuzzify(struct engine *e, const double *x)

@@ -257,8 +257,7 @@ double mf_degree(enum mf_kind kind, const double *p, size_t count, double x)
     }
 }
 
-/* --- fuzzylite's names --------------------------------------------------------------------------
- */
+/* --- fuzzylite's names ----------------------------------------------------------------------- */
 
 /* A row says where each of our parameters comes from in fuzzylite's list. */
 static const struct {

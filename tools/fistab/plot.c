@@ -110,8 +110,7 @@ static double node(const struct variable *variable, size_t index, size_t nodes)
     return variable->min + (variable->max - variable->min) * (double)index / (double)(nodes - 1);
 }
 
-/* --- the outputs at the nodes --------------------------------------------------------------------
- */
+/* --- the outputs at the nodes ---------------------------------------------------------------- */
 
 static size_t node_count(const struct sheet *sheet)
 {

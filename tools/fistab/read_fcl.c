@@ -31,8 +31,7 @@ struct key {
 
 #define FAIL(r, ...) SCAN_FAIL((r)->scan, __VA_ARGS__)
 
-/* --- values -------------------------------------------------------------------------------------
- */
+/* --- values ---------------------------------------------------------------------------------- */
 
 /* The value of a key begins with : or := */
 static int expect_colon(struct reader *r)
@@ -200,8 +199,7 @@ static int take_enabled(struct reader *r)
     return choice == 0 ? EXIT_FINE : EXIT_INPUT;
 }
 
-/* --- DEFUZZIFY ----------------------------------------------------------------------------------
- */
+/* --- DEFUZZIFY ------------------------------------------------------------------------------- */
 
 static int take_accu(struct reader *r)
 {
@@ -264,8 +262,7 @@ static int take_lock(struct reader *r)
     return choice == 1 ? EXIT_FINE : EXIT_INPUT;
 }
 
-/* --- RULEBLOCK ----------------------------------------------------------------------------------
- */
+/* --- RULEBLOCK ------------------------------------------------------------------------------- */
 
 static struct block *this_block(struct reader *r)
 {
@@ -327,8 +324,7 @@ static int take_rule(struct reader *r)
     return read_rule(r->scan, r->fis, r->fis->blocks - 1);
 }
 
-/* --- blocks -------------------------------------------------------------------------------------
- */
+/* --- blocks ---------------------------------------------------------------------------------- */
 
 static const struct key fuzzify_key[] = {
     {"RANGE", take_range}, {"ENABLED", take_enabled}, {"TERM", take_term}, {NULL, NULL}};
@@ -501,8 +497,7 @@ static const struct key section_key[] = {
     {"VAR_INPUT", take_inputs},    {"VAR_OUTPUT", take_outputs},   {"FUZZIFY", take_fuzzify},
     {"DEFUZZIFY", take_defuzzify}, {"RULEBLOCK", take_rule_block}, {NULL, NULL}};
 
-/* --- the whole ----------------------------------------------------------------------------------
- */
+/* --- the whole ------------------------------------------------------------------------------- */
 
 static int check_variables(const struct reader *r)
 {

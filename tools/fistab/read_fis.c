@@ -51,8 +51,7 @@ struct key {
 
 #define FAIL(parser, ...) SCAN_FAIL((parser)->scan, __VA_ARGS__)
 
-/* --- values -------------------------------------------------------------------------------------
- */
+/* --- values ---------------------------------------------------------------------------------- */
 
 /* "a, b or c", of COUNT words without the one at HIDDEN */
 static const char *choices(const char *const *words, size_t count, size_t hidden, char *buffer,
@@ -142,8 +141,7 @@ static int take_name(struct parser *p, char **name)
     return scan_quoted(p->scan, name);
 }
 
-/* --- [System] -----------------------------------------------------------------------------------
- */
+/* --- [System] -------------------------------------------------------------------------------- */
 
 static int take_system_name(struct parser *p, const char *name)
 {
@@ -270,8 +268,7 @@ static int unknown_system_key(struct parser *p)
                 known);
 }
 
-/* --- [InputN] and [OutputN] ---------------------------------------------------------------------
- */
+/* --- [InputN] and [OutputN] ------------------------------------------------------------------ */
 
 static int take_variable_name(struct parser *p, const char *name)
 {
@@ -477,8 +474,7 @@ static int take_other_variable_key(struct parser *p)
     return take_fuzzylite_key(p);
 }
 
-/* --- [Rules] ------------------------------------------------------------------------------------
- */
+/* --- [Rules] --------------------------------------------------------------------------------- */
 
 /* fuzzylite and Octave write a hedge as the part of a set's number behind the point. */
 static int take_hedge(struct parser *p, double number, hedges_t *hedges)
@@ -601,8 +597,7 @@ static int take_rule(struct parser *p)
     return EXIT_FINE;
 }
 
-/* --- sections -----------------------------------------------------------------------------------
- */
+/* --- sections -------------------------------------------------------------------------------- */
 
 static int open_variable(struct parser *p, struct variable **list, size_t *count, size_t *declared,
                          long number)
@@ -716,8 +711,7 @@ static int take_line(struct parser *p)
     return FAIL(p, "a .fis file begins with [System], not '%s'", p->scan->word);
 }
 
-/* --- the whole ----------------------------------------------------------------------------------
- */
+/* --- the whole ------------------------------------------------------------------------------- */
 
 static int check_variables(const struct parser *p, const char *what, const struct variable *list,
                            size_t count, size_t declared, const size_t *declared_sets)

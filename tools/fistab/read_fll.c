@@ -25,8 +25,7 @@ struct reader {
 
 #define FAIL(r, ...) SCAN_FAIL((r)->scan, __VA_ARGS__)
 
-/* --- values -------------------------------------------------------------------------------------
- */
+/* --- values ---------------------------------------------------------------------------------- */
 
 /* The rest of the line without blanks at its ends, as a copy. */
 static int take_text(struct reader *r, char **text)
@@ -70,8 +69,7 @@ static int take_enabled(struct reader *r)
                    : not_supported(r->scan, "'enabled: false'", "remove the block from the file");
 }
 
-/* --- variables ----------------------------------------------------------------------------------
- */
+/* --- variables ------------------------------------------------------------------------------- */
 
 static int take_range(struct reader *r)
 {
@@ -122,8 +120,7 @@ static int take_term(struct reader *r)
     return take_fuzzylite_set(r->scan, set, class, parameter, count);
 }
 
-/* --- outputs ------------------------------------------------------------------------------------
- */
+/* --- outputs --------------------------------------------------------------------------------- */
 
 /* Nan and a number are all that "default:" takes; a C library reads both. */
 static int take_default(struct reader *r)
@@ -232,8 +229,7 @@ static int take_defuzzifier(struct reader *r)
                 r->scan->word);
 }
 
-/* --- rule blocks --------------------------------------------------------------------------------
- */
+/* --- rule blocks ----------------------------------------------------------------------------- */
 
 static int take_conjunction(struct reader *r)
 {
@@ -282,8 +278,7 @@ static int take_rule(struct reader *r)
     return read_rule(r->scan, r->fis, r->fis->blocks - 1);
 }
 
-/* --- lines --------------------------------------------------------------------------------------
- */
+/* --- lines ----------------------------------------------------------------------------------- */
 
 struct key {
     const char *name;

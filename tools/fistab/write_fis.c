@@ -8,8 +8,7 @@
 
 #include "diag.h"
 
-/* --- what a .fis cannot say ---------------------------------------------------------------------
- */
+/* --- what a .fis cannot say ------------------------------------------------------------------ */
 
 static int lacks(const struct fis *fis, int line, const char *feature, const char *advice)
 {
@@ -73,8 +72,7 @@ static int check_variables(const struct fis *fis, const struct variable *list, s
     return EXIT_FINE;
 }
 
-/* --- text ---------------------------------------------------------------------------------------
- */
+/* --- text ------------------------------------------------------------------------------------ */
 
 /* With as many digits as it takes to read the same number again. */
 static void put_number(FILE *out, double number)

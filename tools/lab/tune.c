@@ -106,8 +106,7 @@ static int put_table(const struct image *image, const double *p)
     return wrong;
 }
 
-/* --- what is bad about a table -----------------------------------------------------------------
- */
+/* --- what is bad about a table --------------------------------------------------------------- */
 
 enum { GENTLE_SPEEDS = 6 };                  /* 1, 1.5 ... 3.5 m/s */
 static struct figures gentle[GENTLE_SPEEDS]; /* of the reference */
@@ -172,8 +171,7 @@ static double cost_of(const struct image *image, const double *p)
            cost_of_following(image);
 }
 
-/* --- the walk ------------------------------------------------------------------------------------
- */
+/* --- the walk -------------------------------------------------------------------------------- */
 
 /* Onto the grid, within the limits, and the sets of each variable in their order. */
 static void tidy(double *p)
