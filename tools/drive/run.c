@@ -361,9 +361,41 @@ static enum sim_status watch_reset(struct loop *loop)
 
 /* --- outside ------------------------------------------------------------------------------ */
 
+/* The scenario's flips as the engine takes them. Returns their number. */
+static int list_flips(const struct scenario *scenario, struct sim_flip flips[SCENARIO_FLIPS])
+{
+    static const enum sim_flip_kind kinds[] = {[FLIP_ONCE] = SIM_FLIP,
+                                               [FLIP_STUCK_LOW] = SIM_STUCK_LOW,
+                                               [FLIP_STUCK_HIGH] = SIM_STUCK_HIGH};
+    static const enum sim_flip_place places[] = {[FLIP_RAM] = SIM_RAM,
+                                                 [FLIP_SFR] = SIM_SFR,
+                                                 [FLIP_REGISTER] = SIM_REGISTER,
+                                                 [FLIP_PC] = SIM_PC,
+                                                 [FLIP_XDATA] = SIM_XDATA};
+    int count = 0;
+
+    for (int i = 0; i < SCENARIO_FLIPS; i++) {
+        const struct flip *flip = &scenario->flips[i];
+        bool counts = flip->at_instruction >= 0;
+
+        if (counts || flip->at_cycle >= 0) {
+            flips[count++] = (struct sim_flip){
+                .kind = kinds[flip->kind],
+                .place = places[flip->place],
+                .address = (uint16_t)fmax(flip->address, 0),
+                .bit = (int)flip->bit,
+                .counts_instructions = counts,
+                .when = (uint64_t)(counts ? flip->at_instruction : flip->at_cycle)};
+        }
+    }
+    return count;
+}
+
 static int start_simulator(struct loop *loop)
 {
     const struct board *board = loop->setup->board;
+    struct sim_flip flips[SCENARIO_FLIPS];
+    int flip_count = list_flips(loop->setup->scenario, flips);
     const struct sim_setup setup = {
         .hex = loop->setup->hex,
         .s51_type = board->s51_type,
@@ -375,8 +407,16 @@ static int start_simulator(struct loop *loop)
         .drive_count = INPUTS,
         .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS), /* echo low, override not held */
         .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->class->take_bytes != NULL,
+        .flips = flips,
+        .flip_count = flip_count,
     };
 
+    if (flip_count > 0 && !loop->setup->engine->can_flip) {
+        diag_error(loop->setup->scenario->file, 0,
+                   "[flip] changes bits inside the chip, which %s cannot do; give --engine=fast",
+                   loop->setup->engine->name);
+        return EXIT_USAGE;
+    }
     return sim_start(loop->setup->engine, &loop->sim, &setup);
 }
 

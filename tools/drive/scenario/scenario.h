@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PROFILE_POINTS = 32, SCENARIO_SETTINGS = 1024 };
+enum { PROFILE_POINTS = 32, SCENARIO_SETTINGS = 1024, SCENARIO_FLIPS = SECTION_COPIES };
 
 struct world_class;
 
@@ -50,6 +50,18 @@ struct lead {
     double missed; /* share of the readings in which it gives no echo */
 };
 
+/* Section [flip]: one bit of the chip that changes once, or sticks. */
+struct flip {
+    int kind;                        /* enum flip_kind */
+    int place;                       /* enum flip_place */
+    double address;                  /* unset: a PC has none */
+    double bit;                      /* 0: the lowest */
+    double at_cycle, at_instruction; /* since power came up; one is unset, or both: no flip */
+};
+
+enum flip_kind { FLIP_ONCE, FLIP_STUCK_LOW, FLIP_STUCK_HIGH };
+enum flip_place { FLIP_RAM, FLIP_SFR, FLIP_REGISTER, FLIP_PC, FLIP_XDATA };
+
 struct scenario {
     char file[256];
     char title[SCENARIO_TEXT];
@@ -66,6 +78,7 @@ struct scenario {
         double at_s; /* bytes sent to the controller; unset: none */
         char send[SCENARIO_TEXT];
     } uart;
+    struct flip flips[SCENARIO_FLIPS];
     struct expectation expect[EXPECT_MAX];
     int expect_count;
     /* The settings struct of the world: its own sections' values. */
@@ -73,7 +86,10 @@ struct scenario {
 };
 
 /* The sections that worlds share. */
-extern const struct section scenario_section, ego_section, lead_section, uart_section;
+extern const struct section scenario_section, ego_section, lead_section, uart_section, flip_section;
+
+/* Each world lets bits of its chip flip. */
+#define FLIP_SECTION {.section = &flip_section, AT_SCENARIO(flips), .copies = SCENARIO_FLIPS}
 
 /* The keys of [lead] for a sensor that never misses an echo. */
 #define LEAD_KEYS_OF_A_HEAD                                                                        \

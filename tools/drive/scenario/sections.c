@@ -226,3 +226,86 @@ const struct section uart_section = {.name = "uart",
                                      .meaning = "characters sent to the controller",
                                      SECTION_KEYS(uart_keys),
                                      .size = sizeof(((struct scenario *)NULL)->uart)};
+
+/* --- [flip] ------------------------------------------------------------------------------- */
+
+#define AT(member) offsetof(struct flip, member)
+static const struct key flip_keys[] = {
+    {.name = "kind",
+     .meaning = "flip: the bit changes once; low, high: it is stuck there",
+     .kind = VALUE_CHOICE,
+     .at = AT(kind),
+     .choices = "flip low high"},
+    {.name = "place",
+     .meaning = "internal RAM; special function registers; R0 to R7 of the bank in use; the "
+                "program counter; external RAM",
+     .kind = VALUE_CHOICE,
+     .at = AT(place),
+     .choices = "ram sfr register pc xdata",
+     .required = true},
+    {.name = "address",
+     .meaning = "where in that place, as in 0x50: ram 0 to 255, sfr 128 to 255, register 0 to 7, "
+                "xdata 0 to 65535",
+     .kind = VALUE_COUNT,
+     .at = AT(address),
+     .high = 65535,
+     .initial = SCENARIO_UNSET,
+     .unset = "none, for pc"},
+    {.name = "bit",
+     .meaning = "0 is the lowest; up to 7, of the program counter up to 15",
+     .kind = VALUE_COUNT,
+     .at = AT(bit),
+     .high = 15,
+     .required = true},
+    {.name = "at_cycle",
+     .meaning = "before the first instruction at or after this machine cycle since power came up",
+     .kind = VALUE_COUNT,
+     .at = AT(at_cycle),
+     .high = 1e12,
+     .initial = SCENARIO_UNSET,
+     .unset = "by at_instruction"},
+    {.name = "at_instruction",
+     .meaning = "or: before the instruction of this number, counted from 0",
+     .kind = VALUE_COUNT,
+     .at = AT(at_instruction),
+     .high = 1e12,
+     .initial = SCENARIO_UNSET,
+     .unset = "by at_cycle"},
+};
+#undef AT
+
+static void check_flip(struct section_check *check, const void *values)
+{
+    static const struct {
+        double first, last, top_bit;
+        const char *name;
+    } places[] = {[FLIP_RAM] = {0, 255, 7, "ram"},
+                  [FLIP_SFR] = {128, 255, 7, "sfr"},
+                  [FLIP_REGISTER] = {0, 7, 7, "register"},
+                  [FLIP_PC] = {SCENARIO_UNSET, SCENARIO_UNSET, 15, "pc"},
+                  [FLIP_XDATA] = {0, 65535, 7, "xdata"}};
+    const struct flip *flip = values;
+
+    if (flip->address < places[flip->place].first || flip->address > places[flip->place].last) {
+        if (flip->place == FLIP_PC) {
+            section_complain(check, "address", "the pc has no address; take it out");
+        } else {
+            section_complain(check, "address", "%s has the addresses %g to %g; give one of them",
+                             places[flip->place].name, places[flip->place].first,
+                             places[flip->place].last);
+        }
+    }
+    if (flip->bit > places[flip->place].top_bit) {
+        section_complain(check, "bit", "%s has the bits 0 to %g; give one of them",
+                         places[flip->place].name, places[flip->place].top_bit);
+    }
+    if ((flip->at_cycle >= 0) == (flip->at_instruction >= 0)) {
+        section_complain(check, NULL, "give at_cycle or at_instruction, one of them");
+    }
+}
+
+const struct section flip_section = {.name = "flip",
+                                     .meaning = "a bit of the chip that flips or sticks",
+                                     SECTION_KEYS(flip_keys),
+                                     .size = sizeof(struct flip),
+                                     .check = check_flip};

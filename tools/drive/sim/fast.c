@@ -116,6 +116,35 @@ static enum mcs52_part part_of(const char *watchdog)
                                             : MCS52_INTEL;
 }
 
+/* Returns EXIT_FINE, or EXIT_USAGE after a message. */
+static int inject(struct fast *fast, const struct sim_setup *setup)
+{
+    static const enum mcs52_place places[] = {[SIM_RAM] = MCS52_IN_RAM,
+                                              [SIM_SFR] = MCS52_IN_SFR,
+                                              [SIM_REGISTER] = MCS52_IN_REGISTER,
+                                              [SIM_PC] = MCS52_IN_PC,
+                                              [SIM_XDATA] = MCS52_IN_XDATA};
+    static const enum mcs52_fault_kind kinds[] = {[SIM_FLIP] = MCS52_FLIP,
+                                                  [SIM_STUCK_LOW] = MCS52_STUCK_LOW,
+                                                  [SIM_STUCK_HIGH] = MCS52_STUCK_HIGH};
+
+    for (int i = 0; i < setup->flip_count; i++) {
+        const struct sim_flip *flip = &setup->flips[i];
+        const struct mcs52_fault fault = {.kind = kinds[flip->kind],
+                                          .place = places[flip->place],
+                                          .address = flip->address,
+                                          .bit = flip->bit,
+                                          .counts_instructions = flip->counts_instructions,
+                                          .when = flip->when};
+
+        if (!mcs52_inject(fast->chip, &fault)) {
+            diag_error(NULL, 0, "fast: flip %d names a bit that the chip does not have", i + 1);
+            return EXIT_USAGE;
+        }
+    }
+    return EXIT_FINE;
+}
+
 static int start(struct sim **sim, const struct sim_setup *setup)
 {
     struct hexfile *hex = malloc(sizeof *hex);
@@ -139,8 +168,12 @@ static int start(struct sim **sim, const struct sim_setup *setup)
             mcs52_set_pin(fast->chip, 0, port_of(setup->drive[i]), setup->drive[i] & 7,
                           setup->levels >> i & 1);
         }
+        status = inject(fast, setup);
+    }
+    if (status == EXIT_FINE) {
         *sim = &fast->base;
-    } else {
+    } else if (fast != NULL) {
+        mcs52_destroy(fast->chip);
         free(fast);
     }
     free(hex);
@@ -207,6 +240,7 @@ static void send(struct sim *sim, const char *bytes, size_t size)
 }
 
 const struct sim_engine fast_engine = {.name = "fast",
+                                       .can_flip = true,
                                        .check = check,
                                        .start = start,
                                        .set_pin = set_pin,

@@ -23,8 +23,24 @@ struct sim_setup {
     int watch_count;
     const uint8_t *drive; /* bit addresses of the pins that are driven */
     int drive_count;
-    uint32_t levels; /* bit k: level of drive[k] from the start */
-    bool uart_in;    /* sim_send will be used */
+    uint32_t levels;              /* bit k: level of drive[k] from the start */
+    bool uart_in;                 /* sim_send will be used */
+    const struct sim_flip *flips; /* of an engine that can flip bits */
+    int flip_count;
+};
+
+enum sim_flip_place { SIM_RAM, SIM_SFR, SIM_REGISTER, SIM_PC, SIM_XDATA };
+enum sim_flip_kind { SIM_FLIP, SIM_STUCK_LOW, SIM_STUCK_HIGH };
+
+/* A bit of the chip that changes once, or sticks. */
+struct sim_flip {
+    enum sim_flip_kind kind;
+    enum sim_flip_place place;
+    uint16_t address; /* 0..7 for R0..R7 of the bank in use */
+    int bit;
+    bool counts_instructions;
+    uint64_t when; /* before the first instruction at or after this machine cycle since power came
+                    * up, or before the instruction of this number */
 };
 
 struct sim_edge {
@@ -52,6 +68,7 @@ struct sim {
 
 struct sim_engine {
     const char *name;
+    bool can_flip; /* bits of the chip: sim_setup.flips */
     int (*check)(void);
     int (*start)(struct sim **sim, const struct sim_setup *setup);
     void (*set_pin)(struct sim *sim, int64_t time_ns, int drive, bool level);

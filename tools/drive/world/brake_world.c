@@ -59,6 +59,7 @@ static const struct section_use sections[] = {
      .copies = SONAR_FAULTS},
     {.section = &override_section, AT_SETTINGS(struct brake_settings, override)},
     {.section = &uart_section, AT_SCENARIO(uart)},
+    FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct brake_settings);
 

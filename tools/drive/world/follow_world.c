@@ -53,6 +53,7 @@ static const struct section_use sections[] = {
      AT_SETTINGS(struct follow_settings, noise),
      .only = "gap_m own_mps lead_mps"},
     HEAD_SECTIONS(struct follow_settings, head),
+    FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct follow_settings);
 

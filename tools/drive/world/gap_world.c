@@ -32,6 +32,7 @@ static const struct section_use sections[] = {
     {.section = &lead_section, AT_SCENARIO(lead), .only = LEAD_KEYS_OF_A_HEAD},
     {.section = &head_noise_section, AT_SETTINGS(struct gap_settings, noise)},
     HEAD_SECTIONS(struct gap_settings, head),
+    FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct gap_settings);
 

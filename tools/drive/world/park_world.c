@@ -101,6 +101,7 @@ static const struct section_use sections[] = {
     {.section = &park_section, AT_SETTINGS(struct park_settings, park), .required = true},
     {.section = &noise_section, AT_SETTINGS(struct park_settings, noise)},
     HEAD_SECTIONS(struct park_settings, head),
+    FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct park_settings);
 

@@ -123,6 +123,7 @@ static const struct section_use sections[] = {
     {.section = &road_section, AT_SETTINGS(struct radar_settings, road)},
     {.section = &front_section, AT_SETTINGS(struct radar_settings, front)},
     HEAD_SECTIONS(struct radar_settings, head),
+    FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct radar_settings);
 
