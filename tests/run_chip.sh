@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Runs one unit test image of the chip in s51 and prints Unity's lines, one a case:
+# Runs one unit test image of the chip, in s51 or with ENGINE=fast in our own simulator, and prints Unity's
+# lines, one a case:
 #     tests/run_chip.sh IMAGE.ihx
 # Only Unity's own last line, OK, makes a success.
 set -u

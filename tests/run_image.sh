@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Runs an image that tests or measures itself in s51, until the image ends the run, and prints what it prints:
+# Runs an image that tests or measures itself until the image ends the run, and prints what it prints, in s51
+# or, with ENGINE=fast, in our own simulator:
 #     tests/run_image.sh IMAGE.ihx [FILE]        FILE gets the bytes that the image writes
 # The image talks through uCsim's simulator interface at xram 0xffff: 'p' and a byte prints the byte, 'w'
 # and a byte writes it, 's' ends the run. The exit status says nothing about the image: s51 always exits
@@ -10,6 +11,13 @@ cpu_seconds=120 # processor time, so that a busy machine fails no test
 if [ ! -r "${1:-}" ]; then
     echo "run_image.sh: error: no image '${1:-}'; use: tests/run_image.sh IMAGE.ihx [FILE]" >&2
     exit 2
+fi
+
+if [ "${ENGINE:-s51}" = fast ]; then
+    prlimit --cpu="$cpu_seconds" build/tests/fast_image "$@" 2>&1
+    status=$?
+    [ $status -eq 0 ] || echo "run_image.sh: fast_image ended with status $status; it has $cpu_seconds s of processor time"
+    exit
 fi
 
 # s51 quits when its input ends. Its input is a pipe that `sleep` keeps open and never writes to.

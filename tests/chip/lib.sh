@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Runs an image in s51 with pins driven at exact times; for tests/chip/*.sh and tests/bench/*.sh:
+# Runs an image with pins driven at exact times, in s51 or, with ENGINE=fast, in our own simulator; for
+# tests/chip/*.sh and tests/bench/*.sh:
 #
 #     . tests/chip/lib.sh
 #     s51_start BOARD IMAGE.ihx CELL...   watches P1.0..P1.4 and the CELLs (names of s51's, iram[0x2f])
@@ -10,12 +11,13 @@
 #     s51_type "s"                        the UART receives this, now; only after S51_TYPES=1 s51_start,
 #                                         which takes twice the time
 #     s51_until 900000                    simulates up to 900,000 us
-#     s51_ask 900010                      there prints time, the part of it in interrupts, and all internal RAM
+#     s51_ask 900010                      there prints time, the part of it in interrupts, and all internal RAM;
+#                                         s51 only
 #     s51_stop                            ends it
 #     s51_edges NAME                      "time_us value time_us_since_reset" of each write
 #     $s51_uart                           the file of what the UART sent
 #
-# s51 stands still whenever it has eaten all pin events; so all is exact and repeats to the byte.
+# The simulator stands still whenever it has eaten all pin events; so all is exact and repeats to the byte.
 
 s51_board() { # BOARD KNOB
     awk -v knob="$2" '$1 == knob { print $3 }' "firmware/boards/$1.mk"
@@ -53,8 +55,13 @@ s51_start() {
     # Opened for both directions they neither block nor end.
     exec {s51_console}<>"$s51_dir/console" {s51_keys}<>"$s51_dir/keys"
     # Processor time is limited, so that a busy machine fails nothing.
-    timeout -k 1 3000 prlimit --cpu=120 tools/s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,in=$s51_dir/keys,out=$s51_uart" \
-        -C "$s51_dir/start.cfg" -g "$image" <&"$s51_console" >"$s51_dir/log" 2>&1 &
+    if [ "${ENGINE:-s51}" = fast ]; then
+        timeout -k 1 3000 prlimit --cpu=120 build/tests/fast_pins "$(s51_board "$board" WATCHDOG)" "$clk_hz" "$image" \
+            "$s51_dir" "$@" >"$s51_dir/log" 2>&1 &
+    else
+        timeout -k 1 3000 prlimit --cpu=120 tools/s51 -t "$type" -X "$clk_hz" -R 1 -S "uart=0,in=$s51_dir/keys,out=$s51_uart" \
+            -C "$s51_dir/start.cfg" -g "$image" <&"$s51_console" >"$s51_dir/log" 2>&1 &
+    fi
     s51_pid=$!
     trap s51_stop EXIT
     exec {s51_pins}>"$s51_dir/pins"

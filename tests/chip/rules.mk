@@ -7,3 +7,12 @@ $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(f
 	$(Q)tools/check_asm.sh $(^:.rel=.asm)
 	$(Q)$(SDCC) $(SDCC_LINK) $^ -o $@
 endif
+
+# Our own simulator for these images: fast_pins drives pins at exact times, fast_image runs an image that
+# tests itself.
+FAST_CHIPS := build/tests/fast_image build/tests/fast_pins
+$(FAST_CHIPS): build/tests/fast_%: build/host/tests/chip/fast_%.o $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) $(COMMON_SRC))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -lm -o $@
+build/host/tests/%.o: HOST_FLAGS += $(DRIVE_ROOMS)
+-include $(wildcard build/host/tests/chip/*.d)
