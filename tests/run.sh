@@ -4,15 +4,17 @@
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits
 # non-zero if any failed. A case that cannot run here prints IGNORE and the reason, which is shown. A
-# suite that fails without naming a case, or prints no case, counts as one failure. At the end come the
-# failed cases once more, and "N passed, N failed".
+# suite that fails without naming a case, or prints no case, counts as one failure. Beside each suite stands
+# the processor time that it took, in seconds. At the end come the failed cases once more, and "N passed, N
+# failed".
 set -u
 
 run_suite() {
-    local suite=$1 log status good bad skipped
+    local suite=$1 log status good bad skipped cpu TIMEFORMAT='%U %S'
     log=$(mktemp)
+    cpu=$(mktemp)
     # stdin is an empty file: a suite never waits for a terminal.
-    bash -c "$suite" >"$log" 2>&1 </dev/null
+    { time bash -c "$suite" >"$log" 2>&1 </dev/null; } 2>"$cpu"
     status=$?
     good=$(grep -acE '^[^ ].*:[0-9]+:.*:PASS$' "$log")
     bad=$(grep -acE '^[^ ].*:[0-9]+:.*:FAIL' "$log")
@@ -25,15 +27,15 @@ run_suite() {
     elif [ "$bad" -ne 0 ]; then
         grep -avE ':PASS$' "$log"
     fi
-    printf '%5d passed %3d failed  %s\n' "$good" "$bad" "$suite"
-    rm -f "$log"
+    printf '%5d passed %3d failed %6.1f s  %s\n' "$good" "$bad" "$(awk '{ print $1 + $2 }' "$cpu")" "$suite"
+    rm -f "$log" "$cpu"
 }
 export -f run_suite
 
 all=$(mktemp)
 trap 'rm -f "$all"' EXIT
 parallel --will-cite --keep-order --line-buffer run_suite ::: "$@" | tee "$all"
-[ "$(grep -cE '^ *[0-9]+ passed +[0-9]+ failed  ' "$all")" -eq $# ] || {
+[ "$(grep -cE '^ *[0-9]+ passed +[0-9]+ failed +[0-9.]+ s  ' "$all")" -eq $# ] || {
     echo "run.sh: error: not every suite reported" >&2
     exit 1
 }
