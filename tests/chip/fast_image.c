@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs an image that tests or measures itself in our own simulator, as tests/run_image.sh runs it in
- * s51: a byte written to xram 0xFFFF is a command. 'p' and a byte prints the byte, 'w' and a byte
- * writes it to FILE, 's' ends the run. It never ends by itself otherwise: the caller limits its
- * time.
+/* Runs an image that tests or measures itself in our own simulator, as tests/run_image.sh runs it
+ * in s51: a byte written to xram 0xFFFF is a command. 'p' and a byte prints the byte, 'w' and a
+ * byte writes it to FILE, 's' ends the run. Nothing else ends it: the caller limits its time.
  *     fast_image IMAGE.ihx [FILE] */
 #include "diag.h"
 #include "hexfile.h"

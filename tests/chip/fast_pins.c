@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Our own simulator in the place that tests/chip/lib.sh gives to s51: it takes the same value change
- * dump with pin events and writes one with what the watched pins and cells do.
+/* Our own simulator in the place that tests/chip/lib.sh gives to s51: it takes the same value
+ * change dump with pin events and writes one with what the watched pins and cells do.
  *     fast_pins PART CLK_HZ IMAGE.ihx DIR CELL...
- * PART is the board's WATCHDOG. DIR has the FIFOs pins and keys; DIR/out and DIR/uart are written. A
- * CELL, iram[0x2f], is a byte of internal RAM. As in s51, times restart at 0 with a watchdog reset,
- * and so do those of the events that follow. */
+ * PART is the board's WATCHDOG. DIR has the FIFOs pins and keys; DIR/out and DIR/uart are written.
+ * A CELL, iram[0x2f], is a byte of internal RAM. As in s51, times restart at 0 with a watchdog
+ * reset, and so do those of the events that follow. */
 #include "diag.h"
 #include "hexfile.h"
 #include "mcs52.h"
@@ -82,8 +82,8 @@ static void note_cells(struct bench *bench)
 
 /* --- what comes in ------------------------------------------------------------------------ */
 
-/* Cells are looked at after each instruction. A reset on the way sets the clock back: the event comes
- * so long after it. */
+/* Cells are looked at after each instruction. A reset on the way sets the clock back: the event
+ * comes so long after it. */
 static void run_to(struct bench *bench, double time_ns)
 {
     uint64_t cycle = (uint64_t)(time_ns / bench->cycle_ns), from;
