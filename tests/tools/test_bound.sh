@@ -33,15 +33,17 @@ cat >"$out/pointer.c" <<'END'
 void (*volatile act)(void);
 void main(void) { act(); }
 END
-for kind in recursive pointer; do
-    sdcc -mmcs51 "$out/$kind.c" -o "$out/$kind.ihx" 2>"$out/sdcc.log" || say "$kind.c compiles" 1 "$(cat "$out/sdcc.log")"
-done
 cat >"$out/divides.c" <<'END'
 volatile unsigned int a, b, c;
 static unsigned int ratio(unsigned int x) { return x / b; }
 void main(void) { for (;;) { c = ratio(a); } }
 END
-sdcc -mmcs51 "$out/divides.c" -o "$out/divides.ihx" 2>"$out/sdcc.log"
+# As the firmware is built: without what SDCC 4.5 adds where the interrupts' vectors are.
+for kind in recursive pointer divides; do
+    { sdcc -mmcs51 -c "$out/$kind.c" -o "$out/$kind.rel" && tools/no_atomics.sh "$out/$kind.rel" &&
+        sdcc -mmcs51 "$out/$kind.rel" -o "$out/$kind.ihx"; } >"$out/sdcc.log" 2>&1
+    say "$kind.c compiles" $? "$(cat "$out/sdcc.log")"
+done
 divides=(build/bound --round=main "$out/divides.ihx" "$out/divides.map" "$out/divides.rst")
 refuses "a loop of SDCC's library" 1 "_divuint, called at $out/divides.c:2: a loop without a bound; do without this call, or give --loop=_divuint:N" "${divides[@]}"
 check "a bound for a loop of the library" sh -c '"$@" | grep -q "^main: at most [0-9]* cycles a round"' sh "${divides[@]}" --loop=_divuint:16

@@ -199,12 +199,14 @@ static bool begins_panel(const struct table *table, int k)
     return has_panel(table, units[k].panel);
 }
 
-/* The points of a reported column change with each of its values alone. */
+/* A block of data, which all versions of gnuplot take in a figure of several panels. The points of a
+ * reported column change with each of its values alone. */
 static void send_column(FILE *gnuplot, const struct table *table, int column)
 {
     const struct unit *unit = unit_of(table->names[column]);
     double last = NAN;
 
+    fprintf(gnuplot, "$column%d << END\n", column);
     for (size_t row = 0; row < table->rows; row++) {
         double value = table->values[column][row];
         bool is_same = fabs(value - last) <= 0;
@@ -214,7 +216,7 @@ static void send_column(FILE *gnuplot, const struct table *table, int column)
         }
         last = value;
     }
-    fputs("e\n", gnuplot);
+    fputs("END\n", gnuplot);
 }
 
 /* gnuplot warns of a panel in which nothing changes, so that gets a range. */
@@ -247,17 +249,12 @@ static void draw_panel(FILE *gnuplot, const struct table *table, const char *pan
         if (belongs(table, i, panel)) {
             bool is_reported = unit_of(table->names[i])->is_reported;
 
-            fprintf(gnuplot, "%s '-' using 1:2 with %s title '%s' noenhanced", separator,
+            fprintf(gnuplot, "%s $column%d using 1:2 with %s title '%s' noenhanced", separator, i,
                     is_reported ? "points pt 7 ps 0.35" : "lines lw 2", table->names[i]);
             separator = ",";
         }
     }
     fputc('\n', gnuplot);
-    for (int i = 0; i < table->columns; i++) {
-        if (belongs(table, i, panel)) {
-            send_column(gnuplot, table, i);
-        }
-    }
 }
 
 static void draw(FILE *gnuplot, const struct table *table, const char *out, bool is_png)
@@ -266,6 +263,11 @@ static void draw(FILE *gnuplot, const struct table *table, const char *out, bool
 
     for (int k = 0; k < UNITS; k++) {
         panels += begins_panel(table, k);
+        for (int i = 0; begins_panel(table, k) && i < table->columns; i++) {
+            if (belongs(table, i, units[k].panel)) {
+                send_column(gnuplot, table, i);
+            }
+        }
     }
     fprintf(gnuplot, "set terminal %s size 1000,%d font 'sans,12' background 'white'\n",
             is_png ? "pngcairo" : "svg", PANEL_HEIGHT * panels + 60);
