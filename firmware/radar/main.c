@@ -7,7 +7,7 @@
 static const char __code HEADER[] =
     "seq,ms,range_cm,closing_dkmh,own_dkmh,safe_cm,level,brake_pct,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%u,%s%u,%u,%u,%u,%u,%s,%u\r\n";
-static const char __code *const __code STATES[] = {"DRIVER", "BRAKING", "FAULT"};
+static const char __code *const __code STATES[] = {"DRIVER", "HOLDING", "BRAKING", "FAULT"};
 
 /* 100 ms, as the published system. */
 const struct frames_app __code app = {FRAME_RADAR, RADAR_PAYLOAD_BYTES, 10, HEADER, LINE};
@@ -57,7 +57,7 @@ uint8_t app_report(void)
 
 uint8_t app_lamp(void)
 {
-    return radar.state == RADAR_BRAKING ? LAMP_FLICKER : LAMP_OFF;
+    return radar_cuts_throttle() ? LAMP_FLICKER : LAMP_OFF;
 }
 
 void main(void)

@@ -15,20 +15,30 @@
 #define FLAGS_KNOWN       (RADAR_TARGET | RADAR_SIGNED)
 #define GATE_RANGE_MAX_CM 10000U
 #define CLOSING_MAX_DKMH  600
-#define FRAMES_AWAY_MAX   3 /* without a target in the lane: then the brake lets go */
+#define FRAMES_LESS       2 /* frames in a row that ask for less, until there is less */
+#define FRAMES_AWAY       3 /* the same without a target in the lane */
 #define BRAKE_COAST_PCT   10
 #define BRAKE_FULL_PCT    100
 
 __idata struct radar radar;
 
-static __idata uint8_t frames_away; /* without a target in the lane, in a row */
+static __idata uint8_t frames_less;    /* in a row that ask for less than the present state */
+static __idata uint8_t frames_closing; /* in a row with a closing target, to RADAR_CLOSING_FRAMES */
+static __idata uint8_t asked_pct;      /* what the last frame asked the brake for */
+
+/* A target was braked for, and its closing speed is not gone yet. After a start, nobody knows: if
+ * FAULT is the first state, it counts as such. */
+static __idata bool is_approach;
 
 void radar_init(void)
 {
     radar.flags = 0;
     radar.brake_pct = 0;
     radar.state = RADAR_DRIVER;
-    frames_away = 0;
+    frames_less = 0;
+    frames_closing = 0;
+    asked_pct = 0;
+    is_approach = true;
 }
 
 uint8_t radar_row(int16_t closing_dkmh)
@@ -86,55 +96,96 @@ bool radar_read(void)
     return true;
 }
 
-static void let_go(void)
-{
-    radar.state = RADAR_DRIVER;
-    radar.brake_pct = 0;
-}
-
+/* What the table says, and in doubt what the frame before asked for. */
 static void brake(void)
 {
-    radar.state = RADAR_BRAKING;
+    uint8_t before_pct = asked_pct;
+
     radar.row = radar_row(radar.closing_dkmh);
     radar.col = radar_col(radar.range_cm);
     radar.level = lut_at(radar.row, radar.col);
     /* 0.8 m/s2, and 0.03 m/s2 for each level; 100 % is 8 m/s2. */
-    radar.brake_pct =
-        (uint8_t)(BRAKE_COAST_PCT + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
-    if (radar.brake_pct > BRAKE_FULL_PCT) {
-        radar.brake_pct = BRAKE_FULL_PCT;
+    asked_pct = (uint8_t)(BRAKE_COAST_PCT + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
+    if (asked_pct > BRAKE_FULL_PCT) {
+        asked_pct = BRAKE_FULL_PCT;
     }
+    radar.brake_pct = asked_pct > before_pct ? asked_pct : before_pct;
+}
+
+/* Whether the closing speed is no noise. */
+static bool is_sure(void)
+{
+    return radar.closing_dkmh > RADAR_SURE_DKMH || radar.range_cm < RADAR_NEAR_CM ||
+           frames_closing >= RADAR_CLOSING_FRAMES;
+}
+
+/* The state that the target in the own lane asks for. */
+static uint8_t wanted_state(void)
+{
+    uint16_t gate_cm = radar.safe_cm < GATE_RANGE_MAX_CM ? radar.safe_cm : GATE_RANGE_MAX_CM;
+
+    if (radar.closing_dkmh > 0 && is_approach && radar.state != RADAR_DRIVER) {
+        return RADAR_BRAKING;
+    }
+    if (radar.closing_dkmh > 0 && radar.range_cm < gate_cm && is_sure()) {
+        return RADAR_BRAKING;
+    }
+    if (radar.state == RADAR_DRIVER || radar.closing_dkmh < -RADAR_AWAY_DKMH ||
+        radar.range_cm >= (uint16_t)(gate_cm + (gate_cm >> 3))) {
+        return RADAR_DRIVER;
+    }
+    return RADAR_HOLDING;
 }
 
 void radar_decide(void)
 {
-    uint16_t gate_cm;
+    uint8_t wanted = RADAR_DRIVER;
+    uint8_t frames_needed = FRAMES_AWAY;
 
     radar.safe_cm = safe_distance_cm(radar.own_dkmh);
-    if (!(radar.flags & RADAR_TARGET) ||
-        !lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
-        /* A target can be hidden for a moment, by a bump or at the edge of the lane. */
-        if (radar.state == RADAR_DRIVER || ++frames_away >= FRAMES_AWAY_MAX) {
-            let_go();
+    if ((radar.flags & RADAR_TARGET) &&
+        lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
+        if (radar.closing_dkmh <= 0) {
+            frames_closing = 0;
+        } else if (frames_closing < RADAR_CLOSING_FRAMES) {
+            frames_closing++;
         }
-        return;
+        wanted = wanted_state();
+        frames_needed = FRAMES_LESS;
     }
-    frames_away = 0;
-    gate_cm = radar.safe_cm < GATE_RANGE_MAX_CM ? radar.safe_cm : GATE_RANGE_MAX_CM;
-    if (radar.closing_dkmh > 0 && (radar.state == RADAR_BRAKING || radar.range_cm < gate_cm)) {
+
+    /* A target can be hidden for a moment, by a bump or at the edge of the lane; and one frame of
+     * noise must not let go. */
+    if (wanted != RADAR_BRAKING && wanted < radar.state) {
+        frames_less++;
+        if (frames_less < frames_needed) {
+            return;
+        }
+    }
+    frames_less = 0;
+    radar.state = wanted;
+    if (wanted == RADAR_BRAKING) {
+        is_approach = true;
         brake();
     } else {
-        let_go();
+        is_approach = false;
+        asked_pct = 0;
+        radar.brake_pct = 0;
     }
 }
 
 void radar_lose(uint8_t fault_pct)
 {
+    if (radar.state == RADAR_HOLDING) {
+        is_approach = true;
+    }
     radar.state = RADAR_FAULT;
-    frames_away = 0;
+    frames_less = 0;
+    frames_closing = 0;
     if (radar.brake_pct < fault_pct) {
         radar.brake_pct = fault_pct;
     }
+    asked_pct = radar.brake_pct;
 }
 
 bool radar_cuts_throttle(void)

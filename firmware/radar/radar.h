@@ -2,15 +2,33 @@
 /* The collision avoidance with a millimetre-wave radar: from beat frequencies to a brake command.
  *
  * The driver has control until a target in the own lane is nearer than the safe distance S_F (at
- * most 100 m) and comes nearer. Then the throttle is cut, and the table of tables/radar.fis says
- * how hard to brake, until the closing speed is gone (V_R <= 0). It would be wrong to brake only
- * until S > S_F: that would let go in the middle of it.
+ * most 100 m) and approaches. Then the throttle is cut, and the table of tables/radar.fis says how
+ * hard to brake, until the closing speed is gone (V_R <= 0). It would be wrong to brake only until
+ * S > S_F: that would let go in the middle of it. HOLDING follows: the brake is off, but the
+ * throttle stays cut while the target is still nearer than S_F, or the driver would close the gap
+ * again at once.
  *
- *     state      lost link  no target in the lane       target, V_R > 0          target, V_R <= 0
- *     DRIVER     FAULT      -                           BRAKING if S < S_F       -
- *     BRAKING    FAULT      DRIVER at the third frame   -                        DRIVER
- *     FAULT      -          DRIVER at the third frame   BRAKING if S < S_F,      DRIVER
- *                                                       else DRIVER                             */
+ *     state      lost link  no target in the lane   V_R > 0                   V_R <= 0
+ *     DRIVER     FAULT      -                       BRAKING if S < S_F and    -
+ *                                                   it approaches
+ *     HOLDING    FAULT      DRIVER (3)              the same; else DRIVER     DRIVER (2): far
+ *                                                   (2) if it is far          or it draws away
+ *     BRAKING    FAULT      DRIVER (3)              BRAKING                   DRIVER (2): far
+ *                                                                             or it draws away,
+ *                                                                             else HOLDING (2)
+ *     FAULT      -          DRIVER (3)              after BRAKING, HOLDING    as from BRAKING
+ *                                                   or a start: BRAKING;
+ *                                                   after DRIVER: BRAKING if
+ *                                                   S < S_F and it approaches,
+ *                                                   else as from BRAKING
+ *
+ * (2), (3): at the second or third frame in a row that says so; until then state and brake stay as
+ * they are, also those of FAULT.
+ *
+ * It is far if S > 9/8 S_F. It approaches if V_R is more than RADAR_SURE_DKMH, or S
+ * less than RADAR_NEAR_CM, or V_R was above 0 in RADAR_CLOSING_FRAMES frames in a row: noise alone does not brake. It draws away if V_R is
+ * less than -RADAR_AWAY_DKMH. While the car brakes, the brake is the larger of what the last two
+ * frames ask for. */
 #ifndef FUZZY51_RADAR_H
 #define FUZZY51_RADAR_H
 
@@ -32,8 +50,16 @@ enum radar_flags {
     RADAR_SIGNED = 2, /* the front end has I and Q: it knows the sign of a beat */
 };
 
+/* What is more than noise, and how long a closing speed below it must last. */
+#define RADAR_SURE_DKMH      36 /* 1 m/s */
+#define RADAR_AWAY_DKMH      72
+#define RADAR_NEAR_CM        1000U
+#define RADAR_CLOSING_FRAMES 10
+
+/* In the order of how much the controller intervenes. */
 enum radar_state {
     RADAR_DRIVER,  /* the driver has control */
+    RADAR_HOLDING, /* the throttle is cut, the brake is off */
     RADAR_BRAKING, /* the throttle is cut, the table brakes */
     RADAR_FAULT,   /* the link is lost: the throttle is cut, the brake never falls */
 };
@@ -77,7 +103,7 @@ bool radar_read(void);
 /* Makes one control step with what was read. Call it only while the link is up. */
 /*@ requires radar_is_valid;
     ensures radar_is_valid;
-    ensures radar.state == RADAR_DRIVER ==> radar.brake_pct == 0; */
+    ensures radar.state <= RADAR_HOLDING ==> radar.brake_pct == 0; */
 void radar_decide(void);
 
 /* Makes one control step while the link is lost: FAULT. The brake takes the larger of its last
@@ -88,7 +114,7 @@ void radar_decide(void);
     ensures radar.brake_pct == \max(\old(radar.brake_pct), fault_pct); */
 void radar_lose(uint8_t fault_pct);
 
-/* Returns whether the driver's throttle is cut: in BRAKING and FAULT. */
+/* Returns whether the driver's throttle is cut: in every state but DRIVER. */
 /*@ assigns \nothing;
     ensures \result <==> radar.state != RADAR_DRIVER; */
 bool radar_cuts_throttle(void);

@@ -131,8 +131,119 @@ static void test_it_brakes_on_beyond_the_gate_until_the_closing_speed_is_gone(vo
     step(8000, 5 * KMH, 50 * KMH); /* S_F is 63 m now */
     TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
     step(8000, 0, 50 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state); /* one frame is not enough */
+    step(8000, 0, 50 * KMH);
     TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
     TEST_ASSERT_EQUAL_UINT8(0, radar.brake_pct);
+}
+
+static void expect(uint8_t state, uint8_t brake_pct)
+{
+    TEST_ASSERT_EQUAL_UINT8(state, radar.state);
+    TEST_ASSERT_EQUAL_UINT8(brake_pct, radar.brake_pct);
+    TEST_ASSERT_EQUAL_INT(state != RADAR_DRIVER, radar_cuts_throttle());
+}
+
+static void test_within_the_safe_distance_the_throttle_stays_cut(void)
+{
+    step(6000, 5 * KMH, 60 * KMH); /* S_F is 80.9 m */
+    expect(RADAR_BRAKING, 25);
+    step(6000, 0, 60 * KMH);
+    expect(RADAR_BRAKING, 25);
+    step(6000, 0, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+    step(6000, -RADAR_AWAY_DKMH, 60 * KMH);
+    step(6000, -RADAR_AWAY_DKMH, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+}
+
+static void hold(void)
+{
+    step(6000, 5 * KMH, 60 * KMH);
+    step(6000, 0, 60 * KMH);
+    step(6000, 0, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+}
+
+static void test_holding_ends_when_the_target_draws_away_in_two_frames(void)
+{
+    hold();
+    step(6000, -RADAR_AWAY_DKMH - 3, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+    step(6000, 0, 60 * KMH);
+    step(6000, -RADAR_AWAY_DKMH - 3, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+    step(6000, -RADAR_AWAY_DKMH - 3, 60 * KMH);
+    expect(RADAR_DRIVER, 0);
+}
+
+static void test_holding_ends_beyond_the_safe_distance(void)
+{
+    hold();
+    step(9080, 1 * KMH, 60 * KMH); /* S_F is 80.9 m, 9/8 of it are 91.0 m */
+    step(9080, 1 * KMH, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+    step(9130, 1 * KMH, 60 * KMH);
+    expect(RADAR_HOLDING, 0);
+    step(9130, 0, 60 * KMH);
+    expect(RADAR_DRIVER, 0);
+}
+
+static void test_holding_ends_at_the_third_frame_without_a_target(void)
+{
+    hold();
+    step_without_target();
+    step_without_target();
+    expect(RADAR_HOLDING, 0);
+    step_without_target();
+    expect(RADAR_DRIVER, 0);
+}
+
+static void test_small_closing_speed_brakes_only_when_it_lasts(void)
+{
+    uint8_t frame;
+
+    hold();
+    for (frame = 1; frame < RADAR_CLOSING_FRAMES; frame++) {
+        step(6000, RADAR_SURE_DKMH, 60 * KMH);
+        expect(RADAR_HOLDING, 0);
+    }
+    step(6000, -1, 60 * KMH); /* it did not last */
+    for (frame = 1; frame < RADAR_CLOSING_FRAMES; frame++) {
+        step(6000, RADAR_SURE_DKMH, 60 * KMH);
+        expect(RADAR_HOLDING, 0);
+    }
+    step(6000, RADAR_SURE_DKMH, 60 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+}
+
+static void test_large_closing_speed_brakes_at_once(void)
+{
+    hold();
+    step(6000, RADAR_SURE_DKMH + 2, 60 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+}
+
+static void test_near_target_is_braked_for_at_any_closing_speed(void)
+{
+    step(990, 5, 20 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    radar_init();
+    step(1010, 5, 20 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+}
+
+static void test_brake_falls_only_when_two_frames_ask_for_less(void)
+{
+    step(5000, 60 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 82);
+    step(5000, 30 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 82);
+    step(5000, 60 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 82);
+    step(5000, 30 * KMH, 100 * KMH);
+    step(5000, 30 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 55);
 }
 
 static void test_target_that_draws_away_is_left_alone(void)
@@ -199,14 +310,73 @@ static void test_lost_link_never_lowers_the_brake(void)
     TEST_ASSERT_EQUAL_UINT8(60, radar.brake_pct);
 }
 
-static void test_fault_ends_in_what_the_target_asks_for(void)
+static void test_braking_goes_on_after_a_fault_until_the_closing_speed_is_gone(void)
+{
+    step(5000, 30 * KMH, 60 * KMH);
+    expect(RADAR_BRAKING, 55);
+    radar_lose(60);
+    step(4800, 27 * KMH, 27 * KMH); /* S_F is 30 m */
+    expect(RADAR_BRAKING, 60);
+    step(4800, 27 * KMH, 27 * KMH);
+    expect(RADAR_BRAKING, 46);
+    radar_lose(60);
+    radar_lose(60); /* FAULT is called for again and again */
+    step(4800, 0, 27 * KMH);
+    expect(RADAR_FAULT, 60);
+    step(4800, 0, 27 * KMH);
+    expect(RADAR_DRIVER, 0);
+}
+
+static void test_after_holding_a_fault_ends_as_after_braking(void)
+{
+    hold();
+    radar_lose(60);
+    step(8200, 1 * KMH, 60 * KMH); /* S_F is 80.9 m */
+    expect(RADAR_BRAKING, 60);
+    step(8200, 1 * KMH, 60 * KMH);
+    expect(RADAR_BRAKING, 18);
+}
+
+static void test_after_a_start_in_fault_any_approach_is_braked_for(void)
 {
     radar_lose(60);
-    step(5000, 30 * KMH, 100 * KMH);
-    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+    step(20000, 30 * KMH, 100 * KMH);
+    step(20000, 30 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 18);
+}
+
+static void test_fault_under_the_driver_ends_with_the_driver(void)
+{
+    step_without_target();
     radar_lose(60);
     step(20000, 30 * KMH, 100 * KMH);
-    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
+    expect(RADAR_FAULT, 60);
+    step(20000, 30 * KMH, 100 * KMH);
+    expect(RADAR_DRIVER, 0);
+
+    radar_lose(60);
+    step_without_target();
+    step_without_target();
+    expect(RADAR_FAULT, 60);
+    step_without_target();
+    expect(RADAR_DRIVER, 0);
+}
+
+static void test_fault_under_the_driver_ends_in_braking_inside_the_gate(void)
+{
+    step_without_target();
+    radar_lose(60);
+    step(5000, 30 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 60);
+    step(5000, 30 * KMH, 100 * KMH);
+    expect(RADAR_BRAKING, 55);
+
+    radar_init();
+    step_without_target();
+    radar_lose(60);
+    step(5000, 0, 100 * KMH);
+    step(5000, 0, 100 * KMH);
+    expect(RADAR_HOLDING, 0);
 }
 
 static void expect_refused(void)
@@ -258,7 +428,19 @@ int main(void)
     RUN_TEST(test_target_in_the_next_lane_of_a_bend_is_left_alone);
     RUN_TEST(test_target_out_of_sight_holds_the_brake_for_two_frames);
     RUN_TEST(test_lost_link_never_lowers_the_brake);
-    RUN_TEST(test_fault_ends_in_what_the_target_asks_for);
+    RUN_TEST(test_within_the_safe_distance_the_throttle_stays_cut);
+    RUN_TEST(test_holding_ends_when_the_target_draws_away_in_two_frames);
+    RUN_TEST(test_holding_ends_beyond_the_safe_distance);
+    RUN_TEST(test_holding_ends_at_the_third_frame_without_a_target);
+    RUN_TEST(test_small_closing_speed_brakes_only_when_it_lasts);
+    RUN_TEST(test_large_closing_speed_brakes_at_once);
+    RUN_TEST(test_near_target_is_braked_for_at_any_closing_speed);
+    RUN_TEST(test_brake_falls_only_when_two_frames_ask_for_less);
+    RUN_TEST(test_braking_goes_on_after_a_fault_until_the_closing_speed_is_gone);
+    RUN_TEST(test_after_holding_a_fault_ends_as_after_braking);
+    RUN_TEST(test_after_a_start_in_fault_any_approach_is_braked_for);
+    RUN_TEST(test_fault_under_the_driver_ends_with_the_driver);
+    RUN_TEST(test_fault_under_the_driver_ends_in_braking_inside_the_gate);
     RUN_TEST(test_values_out_of_range_are_refused_and_change_nothing);
     return UNITY_END();
 }
