@@ -34,7 +34,7 @@ OUT := build/$(BOARD)
 
 SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
     -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
-# Who an image is, but for its table (identity.h).
+# The identity of an image without its table (identity.h).
 identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # The two estimators of firmware/brake/closing.h in the loop: what noise and missing readings make of the
-# closing speed and of the brake, beside what a floating-point study of this loop came to.
+# closing speed and of the brake, beside the figures of a floating-point study of this loop.
 #     tests/bench/estimator.sh [BOARD]     after `make`; BOARD: stc89c516rd
 # Builds both images (ESTIMATOR=difference, smooth) under build/bench/estimator and runs them under drive,
 # at 0, 1 and 2 cm of noise and 0, 2 and 10 % of readings missing, rounded to 1 cm as in the study:
@@ -126,7 +126,7 @@ done < <(parallel -j "${JOBS:-2}" --will-cite run_one ::: difference smooth ::: 
 }
 [ "$failed" -eq 0 ] || exit 1
 
-# --- what they came to -------------------------------------------------------------------------------
+# --- results ----------------------------------------------------------------------------------------
 
 # A row of the table, and in a last column "most changes a second of more than 2 points".
 figures() { # ESTIMATOR CONDITION

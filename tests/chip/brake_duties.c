@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The brake controller, but for the duty: that goes through 0..100 percent by ones and then in a
+/* The brake controller with another duty: it goes through 0..100 percent by ones and then in a
  * mixed order, and changes at any time of a period, never before the last one has lasted for two of
  * them. For the test of the PWM; UART, echo and control go on as they do. */
 #include "hal.h"

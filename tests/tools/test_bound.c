@@ -56,7 +56,7 @@ static void comes_from(uint16_t address, int line, long rounds)
     listing.rounds[address] = rounds;
 }
 
-/* What is said to stderr is no matter here. */
+/* Messages to stderr are not checked here. */
 static bool follow_quietly(void)
 {
     int kept = dup(STDERR_FILENO);
@@ -102,7 +102,7 @@ static void test_the_stack_of_calls_and_pushes(void)
     TEST_ASSERT_EQUAL_INT(2 + 2, flow_stack(&flow, 0x200));
     TEST_ASSERT_EQUAL_INT(2 + 1 + 4, flow_stack(&flow, 0x100));
     TEST_ASSERT_EQUAL_INT(0x200, flow_deepest(&flow, 0x100));
-    TEST_ASSERT_EQUAL_INT(2 + 7, flow_stack(&flow, 0)); /* as if something had called the reset */
+    TEST_ASSERT_EQUAL_INT(2 + 7, flow_stack(&flow, 0)); /* the reset is counted as a call */
 }
 
 static void test_the_deeper_of_two_branches_counts(void)

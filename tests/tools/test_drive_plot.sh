@@ -17,7 +17,7 @@ for text in gap_m dist_mm ego_mps accel_mps2 brake_pct '>m<' '>m/s<' '>m/s2<' '>
     say "the figure has $text" $? "it is not there"
 done
 $drive plot "$out/run.csv" -o "$out/run.png" && head -c 4 "$out/run.png" | grep -q PNG
-say "a figure as PNG" $? "it is none"
+say "a figure as PNG" $? "it is no PNG file"
 
 refused() { # NAME STATUS MESSAGE command...: that status and message, and no figure
     name=$1 wanted=$2 message=$3

@@ -302,7 +302,7 @@ static void test_that_bits_flip_and_stick(void)
     TEST_ASSERT_EQUAL_HEX8(0x80, mcs52_ram(chip)[2] & 0x80);
 }
 
-/* Random code runs to the end; cut anywhere it comes to the same state. */
+/* Random code runs to the end. Run in two parts, it ends in the same state. */
 static void test_that_any_code_runs(void)
 {
     static uint8_t code[MCS52_CODE_BYTES];

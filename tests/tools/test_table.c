@@ -128,7 +128,7 @@ static void test_levels_stretch_the_range_of_the_output(void)
 static void test_that_a_half_rounds_up(void)
 {
     TEST_ASSERT_EQUAL(3, table_round(2.5));
-    TEST_ASSERT_EQUAL(3, table_round(2.5 - 1e-10)); /* a half, but for rounding on the way */
+    TEST_ASSERT_EQUAL(3, table_round(2.5 - 1e-10)); /* a half, apart from rounding errors */
     TEST_ASSERT_EQUAL(2, table_round(2.5 - 1e-8));
     TEST_ASSERT_EQUAL(0, table_round(0.49));
     TEST_ASSERT_EQUAL(100, table_round(100));

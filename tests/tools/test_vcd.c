@@ -42,7 +42,7 @@ void tearDown(void)
 
 static void check_sample(void)
 {
-    TEST_ASSERT_EQUAL(3, count); /* the initial values are none */
+    TEST_ASSERT_EQUAL(3, count); /* initial values are no changes */
     TEST_ASSERT_EQUAL_INT64(829000, changes[0].time_ns);
     TEST_ASSERT_EQUAL(0, changes[0].var);
     TEST_ASSERT_EQUAL(1, changes[0].value);

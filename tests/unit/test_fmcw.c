@@ -19,7 +19,7 @@ static void test_five_metres_at_twenty_mps_needs_the_sign(void)
     TEST_ASSERT_UINT16_WITHIN(1, 500, fmcw_range_cm(-5270, 15277));
     TEST_ASSERT_INT16_WITHIN(1, 720, fmcw_closing_dkmh(-5270, 15277));
 
-    /* What a mixer without a sign would make of it: far and slow. */
+    /* A mixer without a sign would read this as far and slow. */
     TEST_ASSERT_UINT16_WITHIN(1, 1027, fmcw_range_cm(5270, 15277));
     TEST_ASSERT_INT16_WITHIN(1, 351, fmcw_closing_dkmh(5270, 15277));
 }

@@ -285,7 +285,7 @@ struct search {
     int *part; /* of each node: the innermost loop under way that holds it; 0: the function */
     int parts;
     bool *is_claimed; /* its source line's `rounds:` is another loop's */
-    long endless;     /* a turn of the loop that nothing leaves; NONE: there is none */
+    long endless;     /* cycles of one turn of the endless loop; NONE: no such loop */
 };
 
 /* Strongly connected components of one part, by Tarjan's algorithm. */

@@ -155,7 +155,7 @@ static int take_norm(struct reader *r, const struct norm_name *names, const char
     char known[300] = "";
 
     if (!scan_name(r->scan)) {
-        return 0; /* nothing is none */
+        return 0; /* no value is the same as "none" */
     }
     for (int i = 0; names[i].fis != NULL; i++) {
         if (strcmp(r->scan->word, names[i].fll) == 0) {

@@ -106,7 +106,7 @@ static int take_set_name(struct sentence *s, const struct variable *variable, st
         if (!scan_name(scan)) {
             return FAIL(s, "expected a set of '%s', found %s", variable->name, scan_found(scan));
         }
-        /* In FCL a set may be called as a hedge is, but for capitals. */
+        /* In FCL a set may have a name that differs from a hedge only in capitals. */
         clause->set = scan->free_form ? find_set(variable, scan->word) : 0;
         hedge = clause->set == 0 ? find_hedge(scan, scan->word) : 0;
         if (hedge == 0) {

@@ -12,7 +12,7 @@
 #include "diag.h"
 #include "fis.h"
 
-/* Length of the UTF-8 character at S, 0 if it is none. Bytes after the end are 0. */
+/* Length of the UTF-8 character at S, 0 if there is no valid one. Bytes after the end are 0. */
 static size_t utf8_length(const unsigned char *s)
 {
     size_t length = s[0] < 0x80   ? 1

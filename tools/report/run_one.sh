@@ -13,7 +13,7 @@ mkdir -p "$work"
 timeout --foreground -k 5 "$seconds" "${DRIVE:-build/drive}" run --hex "$hex" --board "$board" --scenario "$scenario" \
     --json "$work/result.json" >"$work/log" 2>&1
 status=$?
-# A verdict without a complete result is none.
+# A verdict counts only with a complete result.
 case $status in
 0 | 1) grep -q '"series"' "$work/result.json" 2>/dev/null || { echo "drive ended with $status but left no result" >>"$work/log" && status=2; } ;;
 124 | 137) echo "not done after $seconds s" >>"$work/log" ;;

@@ -6,7 +6,7 @@
 
 static const double noticed_mps = 0.5, half_period_s = 0.03, stop_gap_m = 1;
 
-/* When a gap that closes at CLOSING_MPS and A_MPS2 less each second comes to 0; INFINITY: never. */
+/* When a gap that closes at CLOSING_MPS and A_MPS2 less each second becomes 0; INFINITY: never. */
 static double contact_s(double gap_m, double closing_mps, double a_mps2)
 {
     double root = closing_mps * closing_mps + 2 * a_mps2 * gap_m, t_s = INFINITY;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the best possible driver with this sensor comes to: the outcome that is owed in a scenario,
- * from the car and the sensor alone. No controller is asked.
+/* The outcome that the best possible driver with this sensor reaches in a scenario. It follows from
+ * the car and the sensor alone; no controller takes part.
  *
  * The best driver brakes fully from the first reading that shows a reason to. That brake acts after
  *     60 ms   the car ahead may come into sight just after a reading

@@ -47,7 +47,8 @@ double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps)
         return lead->speed_mps * t_s;
     }
     duration_s = (lead->change_to_mps - lead->speed_mps) / accel;
-    if (!(duration_s >= 0) || isinf(duration_s)) { /* the wrong sign never gets there: at once */
+    /* With the wrong sign it never gets there: the change then takes no time. */
+    if (!(duration_s >= 0) || isinf(duration_s)) {
         duration_s = 0;
     }
     if (t_s < lead->change_s + duration_s) {
@@ -104,7 +105,7 @@ int car_nearest(const struct car *car)
     int nearest = -1;
 
     for (int i = 0; i < CAR_TARGETS; i++) {
-        bool rather; /* than the nearest so far: what is in the way comes before what is not */
+        bool rather; /* than the nearest so far: a car in the way comes first */
 
         if (!car->targets[i].there) {
             continue;
@@ -215,7 +216,7 @@ static struct motion motion_after(const struct car *car, const struct motion *st
     bool at_rest = start->v_mps <= 0;
 
     if (at_rest && push > start->brake_mps2 + car->ego.rolling_mps2) {
-        return end; /* drives off */
+        return end; /* starts to drive */
     }
     if (at_rest) {
         return (struct motion){start->x_m, 0, end.brake_mps2, INFINITY};

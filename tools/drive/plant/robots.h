@@ -25,7 +25,7 @@ struct robots {
     int step;          /* so many are over */
     int changed_step;  /* the change was made then; -1: none */
     int least_gap_um;
-    bool collided; /* the gap came to 0: nothing moves any more */
+    bool collided; /* the gap became 0: nothing moves any more */
 };
 
 /* Sets what is not the scenario's: step, changed_step, least_gap_um, collided. */

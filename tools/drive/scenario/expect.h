@@ -76,7 +76,7 @@ struct expectation {
     int line; /* in the scenario file; 0: understood without being written */
 };
 
-/* What a run came to. */
+/* The result of a run. */
 struct outcome {
     double values[METRIC_COUNT]; /* NAN: not measured in this world, or a text */
     double rest_s;               /* when the car last came to rest; INFINITY: it did not */

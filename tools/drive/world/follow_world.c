@@ -197,7 +197,7 @@ static long measured(struct world *world, int value, double deviation, long high
     return head_limited(head_noisy(&world->head, value, deviation * 1000), 0, high);
 }
 
-/* A trigger ends the step before it and finds what that came to. */
+/* A trigger ends the step before it and measures the result. */
 static void sense(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
     const struct follow_settings *settings = &world->settings;
