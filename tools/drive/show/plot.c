@@ -199,7 +199,7 @@ static bool begins_panel(const struct table *table, int k)
     return has_panel(table, units[k].panel);
 }
 
-/* A block of data, which all versions of gnuplot take in a figure of several panels. The points of a
+/* A block of data: all versions of gnuplot take it in a figure of several panels. The points of a
  * reported column change with each of its values alone. */
 static void send_column(FILE *gnuplot, const struct table *table, int column)
 {
