@@ -272,7 +272,7 @@ static bool write_start_file(const struct s51 *sim, const struct sim_setup *setu
     for (int i = 0; i < probe_count; i++) {
         fprintf(file, "expr rom[%u]\n", probes[i]);
     }
-    /* Otherwise version 0.8.15 takes the line for a Telnet connection and loses some bytes of frames.
+    /* Otherwise version 0.8.15 takes the line for a Telnet connection and loses bytes of frames.
      * 0.6.4 does not know the command, and does not need it. */
     fputs("set hw uart[0] raw 1\nvar sync\nset hw vcd[0] output \"out\"\n", file);
     for (int i = 0; i < setup->watch_count; i++) {
