@@ -20,14 +20,14 @@ TEST_SUITES  := $(TOOL_TESTS) $(filter-out $(LONG_TESTS),$(wildcard tests/tools/
     $(ON_DEFAULT:%='tests/run_loop.sh %') $(OTHER_BOARDS:%='$(FAST) tests/run_loop.sh %') \
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='$(FAST) tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'$(FAST) APP=$(law) tests/run_loop.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
-    $(patsubst %,'$(FAST) tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS)))
+    $(patsubst %,'$(FAST) tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES)
 
 # Slow tests: both engines on all that the fast one drives in `test`, but the ten minutes; every drive of
-# the brake with the other estimator.
+# the brake with the other estimator; the long run of chip against host.
 LONG_SUITES := $(LONG_TESTS) 'MCS52_STATES=10000 build/tests/tools/test_mcs52_s51' $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/compare_engines.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
-    'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)'
+    'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)' $(STEPS_LONG_SUITES)
 
 # `make unit TEST=NAME` runs one file, tests/unit/test_NAME.c or tests/tools/test_NAME.c; without TEST
 # those of tests/unit.
@@ -46,10 +46,10 @@ run-unit-chip: $(WANTED_CHIPS)
 	@tests/run.sh $(^:%='tests/run_chip.sh %')
 
 .PHONY: test-build run-test run-test-long
-test-build: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES)
+test-build: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) compiler-build
 run-test:
 	@$(MAKE) -j$$(nproc) test-build
 	@tests/run.sh $(TEST_SUITES)
-run-test-long: all build/tests/tools/test_mcs52_s51
+run-test-long: all build/tests/tools/test_mcs52_s51 compiler-build-all
 	@$(MAKE) BOARD=$(DEFAULT_BOARD) ESTIMATOR=smooth OUT=build/smooth build/smooth/brake.ihx
 	@tests/run.sh $(LONG_SUITES)

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* What the steps of the frame-fed controllers share: a frame comes byte by byte, right or wrong, on
+ * time or late. */
+#ifndef FUZZY51_STEP_FRAMES_H
+#define FUZZY51_STEP_FRAMES_H
+
+#include "frame.h"
+#include "link.h"
+#include "steps.h"
+
+/* For steps_begin. */
+static void begin_frames(uint8_t kind, uint8_t payload_bytes)
+{
+    frame_init(kind, payload_bytes);
+    link_init(LINK_WAITING, 0);
+}
+
+/* Takes a frame. Returns whether the controller is to decide. `read` is its function. */
+static bool take_frame(bool (*read)(void))
+{
+    uint16_t now_ms = take_u16();
+    uint8_t left = take(), result = FRAME_NONE;
+    bool is_up = false;
+
+    while (left != 0) {
+        result = frame_push(take());
+        put(result);
+        left--;
+    }
+    if (result == FRAME_GOOD) {
+        if (read()) {
+            is_up = link_good(now_ms);
+        } else {
+            frame_refuse();
+            link_bad();
+        }
+    } else if (result == FRAME_BAD) {
+        link_bad();
+    }
+    put(link_check(now_ms));
+    put_u16(frame_bad_count());
+    put(is_up);
+    return is_up;
+}
+
+#ifndef __SDCC_mcs51
+#include "crc16.h"
+
+/* Draws a frame with this payload; now and then late, with a bit that turned over, cut short, or
+ * with the count of the one before. */
+static void draw_frame(uint8_t kind, const uint8_t *payload, unsigned bytes)
+{
+    static uint16_t now_ms;
+    static uint8_t count;
+    uint8_t body[FRAME_BODY_MAX_BYTES] = {0}, line[32];
+    uint8_t high = CRC16_START >> 8, low = (uint8_t)CRC16_START;
+    unsigned used = 1;
+
+    now_ms = (uint16_t)(now_ms + (chance(100) == 0 ? chance(800) : 20 + chance(90)));
+    count = (uint8_t)((count + (chance(100) != 0)) & 15);
+    line[0] = (uint8_t)(0x80 | kind << 4 | count);
+    CRC16_ADD(high, low, line[0]);
+    for (unsigned at = 0; at < bytes; at++) {
+        body[at] = payload[at];
+        CRC16_ADD(high, low, body[at]);
+    }
+    body[bytes] = high;
+    body[bytes + 1] = low;
+    for (unsigned at = 0; at < bytes + 2; at++) {
+        if (at % 7 == 0) {
+            line[used] = 0;
+            for (unsigned bit = 0; bit < 7 && at + bit < bytes + 2; bit++) {
+                line[used] |= (uint8_t)(body[at + bit] >> 7 << bit);
+            }
+            used++;
+        }
+        line[used++] = body[at] & 0x7F;
+    }
+    if (chance(60) == 0) {
+        line[chance(used)] ^= (uint8_t)(1u << chance(8));
+    }
+    if (chance(200) == 0) {
+        used = 1 + chance(used);
+    }
+    give_u16(now_ms);
+    give((uint8_t)used);
+    for (unsigned at = 0; at < used; at++) {
+        give(line[at]);
+    }
+}
+
+static uint8_t *add_u16(uint8_t *to, uint16_t number)
+{
+    *to++ = (uint8_t)(number >> 8);
+    *to++ = (uint8_t)number;
+    return to;
+}
+
+#endif
+#endif

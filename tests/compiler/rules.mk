@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# Chip against host (steps.h): for each image, build/compiler/BOARD/IMAGE/steps.ihx from the very objects that
+# its firmware is linked of, and steps beside it, the host's program. The objects are copied first with their
+# listings, because the linker writes its addresses into them.
+
+# What is compared of an image: all but the machine and the main loop.
+steps_modules = $(filter-out mcu/% %/main frames/frames,$($(1)_MODULES))
+
+ifneq ($(BOARD),)
+STEPS_OUT := build/compiler/$(BOARD)
+STEPS_SIM := $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) $(COMMON_SRC))
+
+compiler-images: $(ALL_IMAGES:%=$(STEPS_OUT)/%/steps.ihx) $(ALL_IMAGES:%=$(STEPS_OUT)/%/steps)
+define steps_rules
+$(STEPS_OUT)/$(1)/%.rel: tests/compiler/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
+$(STEPS_OUT)/$(1)/shipped/%.rel: $(OUT)/$(1)/%.rel
+	@mkdir -p $$(@D)
+	$$(Q)cp $$(<:.rel=.lst) $$(@:.rel=.lst); cp $$< $$@
+$(STEPS_OUT)/$(1)/steps.ihx: $(patsubst %,$(STEPS_OUT)/$(1)/%.rel,chip words lib $(controller_of)) \
+        $(patsubst %,$(STEPS_OUT)/$(1)/shipped/%.rel,$(steps_modules))
+	$$(Q)$(SDCC) $$^ -o $$@
+$(STEPS_OUT)/$(1)/%.o: %.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+	@mkdir -p $$(@D)
+	$$(Q)$(CC) -O2 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) -Itools/drive/sim -I$(OUT)/$(1) -c $$< -o $$@
+$(STEPS_OUT)/$(1)/steps: $(patsubst %,$(STEPS_OUT)/$(1)/tests/compiler/%.o,host words lib $(controller_of)) \
+        $(patsubst %,$(STEPS_OUT)/$(1)/firmware/%.o,$(steps_modules)) $(STEPS_SIM)
+	$$(Q)$(CC) $$^ -lm -o $$@
+endef
+# SDCC's flags, but for those of the compiler itself.
+SDCC_HOST_FLAGS = $(filter -D%,$(SDCC_FLAGS))
+$(foreach image,$(ALL_IMAGES),$(eval $(call steps_rules,$(image))))
+-include $(wildcard $(STEPS_OUT)/*/*.d $(STEPS_OUT)/*/*/*/*.d)
+endif
+
+# With BOARD, of that one; else of the default board. `make test-long` makes the long run on all boards.
+.PHONY: compiler-build compiler-build-all compiler-images
+compiler-build: tools firmware
+	@$(MAKE) BOARD=$(or $(BOARD),$(DEFAULT_BOARD)) compiler-images
+compiler-build-all: tools firmware
+	@for board in $(or $(BOARD),$(BOARDS)); do $(MAKE) BOARD=$$board compiler-images; done
+
+STEPS_SUITES      := $(ALL_IMAGES:%='tests/compiler/run.sh $(or $(BOARD),$(DEFAULT_BOARD)) % 50000') tests/compiler/test_finds.sh
+STEPS_LONG_SUITES := $(foreach board,$(or $(BOARD),$(BOARDS)),$(ALL_IMAGES:%='tests/compiler/run.sh $(board) % 1000000'))
