@@ -60,8 +60,9 @@ def trace($columns): .series as $series | ($series.t_s // [] | length) as $count
             + ([$there[] | . as $column | {key, value: [$series[.key][$kept[]] | rounded($column.digits)]}] | from_entries)
       end;
 
-def digest($columns; $keys): {values: (.outcome | with_entries(select(.key as $key | $keys | index([$key])) | select(.value | type == "number") | .value |= rounded(4))),
-    expect: [.expect[] | {text: .expected, value, met: .holds}], trace: trace($columns)};
+# Of a run that is not listed the page shows no more than the values.
+def digest($columns; $keys; $listed): {values: (.outcome | with_entries(select(.key as $key | $keys | index([$key])) | select(.value | type == "number") | .value |= rounded(4)))}
+    + if $listed then {expect: [.expect[] | {text: .expected, value, met: .holds}], trace: trace($columns)} else {} end;
 
 def file($name): $texts[0][$name] // "";
 def run($task; $results; $listed): ($runs + "/" + $task.key) as $folder | (file($folder + "/exit") | trim) as $status
@@ -112,7 +113,8 @@ def figures($images; $ran): [entries("figure")[] | fields
 columns as $columns | groups as $groups | built_images as $images
 | [measures[].key, (tiles[].kind)] as $keys
 | [$tasks | split("\n")[] | split("\t") | select(.[0] == $id) | {image: .[1], scenario: .[2], key: .[3], file: .[5]}] as $mine
-| (reduce inputs as $result ({}; .[input_filename] = ($result | digest($columns; $keys)))) as $results
+| ([$mine[] | select(.scenario | group_of($groups).listed) | {key: "\($runs)/\(.key)/result.json", value: true}] | from_entries) as $listed
+| (reduce inputs as $result ({}; .[input_filename] = ($result | digest($columns; $keys; $listed[input_filename])))) as $results
 | ([$mine[] | {key: "\(.image)/\(.scenario)", value: run(.; $results; .scenario | group_of($groups).listed)}] | from_entries) as $runs
 | number_words($columns; $runs) as $numbered
 | (reduce $mine[] as $task ({}; if has($task.scenario) then . else .[$task.scenario] = (file($task.file) | scenario($task.scenario)) end)) as $scenarios

@@ -108,6 +108,14 @@ function table(tab, show) {
         make("p", { class: "note" }, "Choose a row to replay it. ", make("span", { class: "unmet" }, "something owed is not met.")), choice, make("div", { class: "scroll" }, whole));
 }
 
+/* What stands above all tabs: drives that came out differently in the two engines. */
+function disagreements() {
+    if (!data.disagree.length) return null;
+    return make("section", { class: "card broken" }, make("h2", {}, "The two engines disagree"),
+        make("p", {}, "These drives came out differently in s51, so the page cannot be trusted before the reason is found."),
+        make("ul", {}, ...data.disagree.map((text) => make("li", {}, text))));
+}
+
 /* --- a tab ------------------------------------------------------------------------------------------- */
 
 function failures(tab) {
@@ -180,6 +188,7 @@ function start() {
     theme.addEventListener("click", () => { root.dataset.theme = dark() ? "light" : "dark"; name(); });
     name();
     document.getElementById("made").textContent = data.made;
+    document.getElementById("main").append(disagreements() ?? "");
 
     for (const tab of data.tabs) tabs.push({ id: tab.id, title: tab.title, build: () => runTab(tab) });
     tabs.push({ id: "boards", title: "Boards", build: boardsTab });

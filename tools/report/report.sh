@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: MIT
 # The closed-loop report: each controller on each scenario, on all cores, as one page.
 #     tools/report/report.sh BOARD            writes build/report/index.html
-# The name of a result is made of the hashes of drive, image and scenario. So nothing is run twice: an
-# interrupted report goes on where it stopped, and a changed image runs anew. Exit status: 0 fine; 1 a run
-# failed or a figure's data could not be made, and the page says which; 2 nothing could be run.
+# The name of a result is made of the hashes of drive, image and scenario, and of the engine. So nothing is
+# run twice: an interrupted report goes on where it stopped, and a changed image runs anew. Exit status: 0
+# fine; 1 a run failed, the engines disagree or a figure's data could not be made, and the page says which;
+# 2 nothing could be run.
 # Knobs, from the environment:
+#     ENGINE=fast|s51          which of drive's engines runs the images
+#     SAMPLE=N                 with ENGINE=fast: so many of the drives, drawn at random, run in s51, too
 #     MAP=coarse|normal|fine   how fine the avoidance map is
 #     ONLY='GLOB...'           only scenarios of these names
 #     IMAGES='NAME...'         only these images
@@ -14,7 +17,8 @@
 set -euo pipefail
 
 board=${1:?"which board?"}
-: "${MAP:=normal}" "${ONLY:=*}" "${IMAGES:=}" "${JOBS:=}" "${SSHLOGIN:=:}" "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}"
+: "${MAP:=normal}" "${ONLY:=*}" "${IMAGES:=}" "${JOBS:=}" "${SSHLOGIN:=:}" "${ENGINE:=fast}" "${SAMPLE:=100}"
+: "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}"
 export DRIVE
 here=tools/report
 runs=$REPORT_OUT/runs
@@ -45,6 +49,13 @@ check_knobs() {
     case $MAP in
     coarse | normal | fine) ;;
     *) fail "MAP=$MAP: use coarse, normal or fine" ;;
+    esac
+    case $ENGINE in
+    fast | s51) ;;
+    *) fail "ENGINE=$ENGINE: use fast or s51" ;;
+    esac
+    case $SAMPLE in
+    '' | *[!0-9]*) fail "SAMPLE=$SAMPLE: give a whole number" ;;
     esac
     case $JOBS in
     '') ;;
@@ -108,36 +119,51 @@ list_tasks() {
     cut -f4,5 "$work/pairs" | tr '\t' '\n' | sort -u >"$work/files"
     xargs sha256sum <"$work/files" | awk '{ print $2 "\t" substr($1, 1, 10) }' >"$work/hashes"
     grep '[.]scn$' "$work/files" | xargs awk '/^duration_s/ { print FILENAME "\t" $NF }' >"$work/durations"
-    awk -F '\t' -v OFS='\t' -v prefix="$board-$drive_hash" '
+    awk -F '\t' -v OFS='\t' -v prefix="$board-$drive_hash" -v engine="$ENGINE" '
         FILENAME ~ /hashes$/ { hash[$1] = $2; next }
         FILENAME ~ /durations$/ { seconds[$1] = $2; next }
-        { print $1, $2, $3, prefix "-" hash[$4] "-" hash[$5], $4, $5, seconds[$5] }' \
+        { print $1, $2, $3, prefix "-" hash[$4] "-" hash[$5] "-" engine, $4, $5, seconds[$5] }' \
         "$work/hashes" "$work/durations" "$work/pairs" >"$work/tasks"
 }
 
-# What is left to run: lines of key, image's file, board, scenario's file, limit of seconds. A run that
-# failed is tried again; two tasks with one key are one run.
+# The tasks that run in s51, too: drawn with a fixed seed from those of at most SAMPLE_S simulated seconds,
+# because s51 takes a second of a core for three of them.
+SAMPLE_S=8
+draw_sample() {
+    : >"$work/sample"
+    [ "$ENGINE" = fast ] || return 0
+    awk -F '\t' -v most="$SAMPLE_S" 'BEGIN { srand(1) } $7 <= most && !seen[$4]++ { print rand() "\t" $0 }' "$work/tasks" |
+        sort -g | cut -f2- | awk -v most="$SAMPLE" 'NR <= most' | sed 's/-fast\t/-s51\t/' >"$work/sample"
+}
+
+# The exit status of each run that has ended: lines of key, status.
+exit_statuses() {
+    find "$runs" -mindepth 2 -maxdepth 2 -name exit -not -path '*.part/*' -exec awk -v OFS='\t' \
+        'FNR == 1 { n = split(FILENAME, part, "/"); print part[n - 1], $0 }' {} + >"$work/statuses"
+}
+
+# What is left to run, the slow engine first: lines of key, image's file, board, scenario's file, limit of
+# seconds, engine. A run that failed is tried again; two tasks with one key are one run.
 list_todo() {
-    local key hex scenario seconds
-    while IFS=$'\t' read -r _ _ _ key hex scenario seconds; do
-        case $(cat "$runs/$key/exit" 2>/dev/null || true) in
-        0 | 1) ;;
-        *) printf '%s\t%s\t%s\t%s\t%.0f\n' "$key" "$hex" "$board" "$scenario" "$(awk -v s="$seconds" 'BEGIN { print 60 + 30 * s }')" ;;
-        esac
-    done <"$work/tasks" | awk -F '\t' '!seen[$1]++' >"$work/todo"
+    exit_statuses
+    awk -F '\t' -v OFS='\t' -v board="$board" '
+        FILENAME ~ /statuses$/ { done[$1] = $2 == "0" || $2 == "1"; next }
+        !done[$4]++ { engine = $4; sub(/.*-/, "", engine); print $4, $5, board, $6, int(60 + 30 * $7), engine }' \
+        "$work/statuses" "$work/sample" "$work/tasks" >"$work/todo"
 }
 
 # --- run ------------------------------------------------------------------------------------------------
 announce() {
-    # s51 in lockstep makes some 3 simulated seconds a second on a core; its start takes half a second.
+    # s51 in lockstep makes some 3 simulated seconds a second on a core, and its start takes half a second;
+    # the fast engine makes 100, and a run with all that is around it takes 40 ms.
     awk -F '\t' -v jobs="${JOBS:-$(nproc)}" -v total="$total" -v todo="$todo" -v login="$SSHLOGIN" '
         FILENAME ~ /todo$/ { wanted[$1] = 1; next }
-        wanted[$4] { seconds += $7 + 0.5; wanted[$4] = 0 }
+        wanted[$4] { seconds += $7; work_s += $4 ~ /-s51$/ ? $7 / 3 + 0.5 : $7 / 100 + 0.04; wanted[$4] = 0 }
         END {
             printf "report: %d runs, %d of them done before", total, total - todo
-            if (todo) printf "; %.0f simulated seconds, at most about %.0f min on %d cores%s", seconds, seconds / 3 / jobs / 60 + 1, jobs, login == ":" ? "" : " of this machine alone"
+            if (todo) printf "; %.0f simulated seconds, at most about %.0f s on %d cores%s", seconds, work_s / jobs + 10, jobs, login == ":" ? "" : " of this machine alone"
             print ""
-        }' "$work/todo" "$work/tasks"
+        }' "$work/todo" "$work/sample" "$work/tasks"
 }
 
 # One line a twentieth, with the time left; on a terminal one line that is written over.
@@ -160,7 +186,7 @@ progress() {
 
 run_todo() {
     local remote=() command
-    command="$here/run_one.sh {1} {2} {3} {4} {5} $(printf %q "$runs")"
+    command="$here/run_one.sh {1} {2} {3} {4} {5} {6} $(printf %q "$runs")"
     if [ "$SSHLOGIN" != : ]; then
         # Each run has a folder of its own on the other machine, so that its clean-up takes no file of
         # another run, and none of ours if that machine has our home. This machine has run_one.sh already.
@@ -230,10 +256,10 @@ collect() { # TAB ID
         case $(cat "$runs/$key/exit" 2>/dev/null || true) in 0 | 1) echo "$runs/$key/result.json" ;; esac
     done)
     mapfile -t tables < <(tab_tables "$tab")
-    text_files "${scenario_files[@]}" "${said[@]}" >"$work/texts.json"
-    csv_files "${tables[@]}" >"$work/tables.json"
+    text_files "${scenario_files[@]}" "${said[@]}" >"$work/texts_$id.json"
+    csv_files "${tables[@]}" >"$work/tables_$id.json"
     jq -nc -f $here/collect.jq --arg id "$id" --arg built "$(xargs <"$work/built")" --rawfile tab "$tab" --rawfile tasks "$work/tasks" \
-        --slurpfile texts "$work/texts.json" --slurpfile tables "$work/tables.json" --arg runs "$runs" --arg out "$REPORT_OUT" \
+        --slurpfile texts "$work/texts_$id.json" --slurpfile tables "$work/tables_$id.json" --arg runs "$runs" --arg out "$REPORT_OUT" \
         "${results[@]}" </dev/null
 }
 
@@ -248,18 +274,28 @@ costs() {
     text_files "${texts[@]}" | jq -c --rawfile memory "$work/memory" -f $here/costs.jq
 }
 
+# Whether the drives of the sample come out alike in both engines. What does not agree is trouble.
+compare_engines() {
+    sed "s|^|$runs/|" <(cut -f4 "$work/sample") >"$work/keys"
+    while read -r folder; do existing "$folder/result.json" "${folder%-s51}-fast/result.json"; done <"$work/keys" >"$work/compared"
+    xargs jq -nc -f $here/compare.jq --rawfile sample "$work/sample" --arg runs "$runs" <"$work/compared" >"$work/agreement.json"
+    jq -r '.differ[] | "the engines disagree: " + .' "$work/agreement.json" >>"$work/trouble"
+}
+
 write_page() {
-    local ids id tab part
+    local ids id part collecting=()
     ids=$(cut -f1 "$work/tasks" | uniq) # a tab with nothing to show is left out
+    for id in $ids; do prepare "$(echo "$here"/tabs/*-"$id".tab)"; done
     for id in $ids; do
-        tab=$(echo "$here"/tabs/*-"$id".tab)
-        prepare "$tab"
-        collect "$tab" "$id" >"$work/$id.json"
+        collect "$(echo "$here"/tabs/*-"$id".tab)" "$id" >"$work/$id.json" &
+        collecting+=($!)
     done
+    for part in "${collecting[@]}"; do wait "$part"; done
     costs >"$work/costs.json"
     for id in $ids; do echo "$work/$id.json"; done | xargs cat |
-        jq -sc --arg made "Board $board, $total runs by s51, $lost failed." --slurpfile costs "$work/costs.json" \
-            '{made: $made, tabs: .} + $costs[0]' | sed 's/</\\u003c/g' >"$work/data.json"
+        jq -sc --arg made "Board $board, $count drives by the engine $ENGINE, $lost failed." --slurpfile costs "$work/costs.json" \
+            --slurpfile agreement "$work/agreement.json" \
+            '{made: ([$made, $agreement[0].said] | map(select(. != "")) | join(" ")), disagree: $agreement[0].differ, tabs: .} + $costs[0]' | sed 's/</\\u003c/g' >"$work/data.json"
     cat $here/selftest.js $here/figures.js $here/scenes.js $here/player.js $here/page.js >"$work/script.js"
     part=$REPORT_OUT/index.html.part
     sed -e "/^@CSS@\$/{r $here/page.css" -e 'd}' -e "/^@DATA@\$/{r $work/data.json" -e 'd}' \
@@ -277,12 +313,17 @@ mkdir -p "$work"
 : >"$work/built"
 build/drive scenarios --map="$MAP" "$REPORT_OUT/scenarios" || fail "drive wrote no scenarios"
 list_tasks
+draw_sample
 list_todo
-total=$(wc -l <"$work/tasks")
+count=$(wc -l <"$work/tasks")
+total=$((count + $(wc -l <"$work/sample")))
 todo=$(wc -l <"$work/todo")
 announce
 if [ "$todo" -gt 0 ]; then run_todo; fi
-lost=$(cut -f4 "$work/tasks" | while read -r key; do cat "$runs/$key/exit" 2>/dev/null || echo none; done | grep -cvxE '0|1' || true)
+exit_statuses
+lost=$(awk -F '\t' 'FILENAME ~ /statuses$/ { done[$1] = $2 == "0" || $2 == "1"; next } !done[$4] { lost++ } END { print lost + 0 }' \
+    "$work/statuses" "$work/sample" "$work/tasks")
+compare_engines
 write_page
 if [ "$lost" -gt 0 ]; then echo "report.sh: error: $lost runs failed; the page names them, 'make report' tries them again" >&2; fi
 if [ -s "$work/trouble" ]; then cat "$work/trouble" >&2; fi
