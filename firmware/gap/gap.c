@@ -23,15 +23,47 @@
 #error "gap wants the table of tables/gap.fis as nodes with 200 levels over -8..8: 8 cm/s2 a level"
 #endif
 
-struct gap gap;
+__idata struct gap gap;
 
-static uint8_t lead_state(void)
+static uint8_t published_lead_state(void)
 {
     if (gap.lead_cmps <= LEAD_STANDS_CMPS) {
         return GAP_LEAD_STANDS;
     }
     return gap.lead_cmps2 >= LEAD_BRAKES_CMPS2 ? GAP_LEAD_DRIVES : GAP_LEAD_BRAKES;
 }
+
+#ifdef GAP_AS_PUBLISHED
+#define lead_state published_lead_state
+#else
+#define LEAD_STARTS_CMPS  50U
+#define LEAD_SURELY_CMPS2 (-80)
+#define FRAMES_TO_BRAKES  5
+#define FRAMES_TO_DRIVES  10
+
+static __idata uint8_t frames_other; /* in a row that say another lead state */
+
+/* The published state, once it is no noise. */
+static uint8_t lead_state(void)
+{
+    uint8_t state = published_lead_state();
+
+    if (gap.lead == GAP_LEAD_STANDS && gap.lead_cmps <= LEAD_STARTS_CMPS) {
+        return GAP_LEAD_STANDS;
+    }
+    if (state == gap.lead || state == GAP_LEAD_STANDS || gap.lead == GAP_LEAD_STANDS ||
+        gap.lead_cmps2 < LEAD_SURELY_CMPS2) {
+        frames_other = 0;
+        return state;
+    }
+    frames_other++;
+    if (frames_other < (state == GAP_LEAD_BRAKES ? FRAMES_TO_BRAKES : FRAMES_TO_DRIVES)) {
+        return gap.lead;
+    }
+    frames_other = 0;
+    return state;
+}
+#endif
 
 /* The speed that D and h depend on. */
 static uint16_t speed_cmps(void)
@@ -75,15 +107,13 @@ uint16_t gap_safe_cm(void)
     return (uint16_t)((safe_cm > braking_cm ? safe_cm - braking_cm : 0) + STANDING_CM);
 }
 
-/* 100 * diff_cmps / h_cs, where h_cs is at least 90 hundredths of a second. A division bit by bit,
- * because a table of 1 / h for all 834 values would be larger than this controller. The quotient
- * has 13 bits: 100 * 5000 / 90 is 5555. */
-static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
+/* product / divisor for a quotient below 65,536 and a divisor below 32,768: bit by bit, because a
+ * table of reciprocals would be larger than this controller. */
+static uint16_t divided(uint32_t product, uint16_t divisor)
 {
-    uint32_t product = (uint32_t)mul_u16(diff_cmps, 100U) << 3; /* the 13 low bits are divided */
     uint16_t rest = (uint16_t)(product >> 16);
     uint16_t bits = (uint16_t)product;
-    uint8_t left = 13;
+    uint8_t left = 16;
 
     do {
         rest = (uint16_t)(rest << 1);
@@ -91,12 +121,18 @@ static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
             rest |= 1;
         }
         bits = (uint16_t)(bits << 1);
-        if (rest >= h_cs) {
-            rest -= h_cs;
+        if (rest >= divisor) {
+            rest -= divisor;
             bits |= 1;
         }
-    } while (--left != 0); /* rounds: 13 */
-    return bits & 0x1FFFU;
+    } while (--left != 0); /* rounds: 16 */
+    return bits;
+}
+
+/* 100 * diff_cmps / h_cs, where h_cs is at least 90 hundredths of a second: 5555 at most. */
+static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
+{
+    return divided(mul_u16(diff_cmps, 100U), h_cs);
 }
 
 static int16_t limited(int16_t value, int16_t low, int16_t high)
@@ -140,6 +176,123 @@ int16_t gap_fuzzy_cmps2(void)
     return (int16_t)((int16_t)(level - LEVEL_ZERO) * (1 << LEVEL_SHIFT));
 }
 
+/* --- beyond the published law ---------------------------------------------------------------- */
+
+#ifndef GAP_AS_PUBLISHED
+
+#define REACTION_Q8       90U /* 0.35 s */
+#define MARGIN_CM         50
+#define FULL_CMPS2        750U /* of the 800 */
+#define SAFE_AGAIN_CMPS2  500U
+#define SAFE_AGAIN_FRAMES 2
+#define CRUISE_MAX_CMPS2  200
+
+/* The own speed, 0.2 s behind when it changes evenly: a quarter of the difference is made up each
+ * frame. UINT16_MAX: not known. */
+static __idata uint16_t late_cmps;
+static __idata uint8_t frames_safe; /* in a row, in EMERGENCY */
+static __idata int16_t asked_cmps2; /* by the frame before */
+
+/* x * 0.35 s */
+static uint16_t in_reaction(uint16_t x)
+{
+    return (uint16_t)(mul_u16(x, REACTION_Q8) >> 8);
+}
+
+static uint16_t less(uint16_t a, uint16_t b)
+{
+    return a > b ? (uint16_t)(a - b) : 0;
+}
+
+bool gap_is_too_late(uint16_t now_cmps2, uint16_t later_cmps2)
+{
+    uint16_t lead_decel_cmps2 = gap.lead_cmps2 < 0 ? (uint16_t)-gap.lead_cmps2 : 0;
+    uint16_t own_cmps = less(gap.own_cmps, in_reaction(now_cmps2)); /* after the 0.35 s */
+    uint16_t lead_cmps = less(gap.lead_cmps, in_reaction(lead_decel_cmps2));
+    uint16_t own_way_cm = in_reaction((uint16_t)(gap.own_cmps + own_cmps)) >> 1;
+    uint16_t lead_way_cm = in_reaction((uint16_t)(gap.lead_cmps + lead_cmps)) >> 1;
+    int16_t room_cm = (int16_t)((int16_t)(gap.gap_cm + lead_way_cm) - (int16_t)own_way_cm);
+
+    room_cm -= MARGIN_CM;
+    if (room_cm < 0) {
+        room_cm = 0;
+    }
+    if (mul_hi_u16((uint16_t)(own_cmps << 3), (uint16_t)(lead_decel_cmps2 << 3)) >
+        mul_hi_u16((uint16_t)(lead_cmps << 3), (uint16_t)(later_cmps2 << 3))) {
+        /* The lead stands before the car does: both ways of stopping count. */
+        own_way_cm = divided(mul_u16(own_cmps, own_cmps), (uint16_t)(later_cmps2 << 1));
+        lead_way_cm = divided(mul_u16(lead_cmps, lead_cmps), (uint16_t)(lead_decel_cmps2 << 1));
+        return less(own_way_cm, lead_way_cm) > (uint16_t)room_cm;
+    }
+    /* The gap is smallest when the speeds are equal; if the car is faster, then it brakes harder,
+     * too. */
+    own_cmps = (uint16_t)(less(own_cmps, lead_cmps) << 3);
+    return mul_hi_u16(own_cmps, own_cmps) >
+           mul_hi_u16((uint16_t)((uint16_t)room_cm << 1),
+                      (uint16_t)(less(later_cmps2, lead_decel_cmps2) << 6));
+}
+
+/* How hard the car brakes: as its speed of the last 0.2 s says, but not more than demanded. */
+static uint16_t own_decel_cmps2(void)
+{
+    uint16_t demanded_cmps2 = gap.accel_cmps2 < 0 ? (uint16_t)-gap.accel_cmps2 : 0;
+    uint16_t slower_cmps;
+
+    if (late_cmps <= gap.own_cmps || late_cmps == UINT16_MAX) {
+        late_cmps = gap.own_cmps;
+        return 0;
+    }
+    slower_cmps = (uint16_t)(late_cmps - gap.own_cmps);
+    late_cmps -= slower_cmps >> 2;
+    if (slower_cmps >= GAP_ACCEL_MAX_CMPS2 / 5) {
+        return demanded_cmps2;
+    }
+    slower_cmps *= 5U;
+    return slower_cmps < demanded_cmps2 ? slower_cmps : demanded_cmps2;
+}
+
+/* CONTROL or EMERGENCY. */
+static uint8_t safe_state(void)
+{
+    uint16_t decel_cmps2 = own_decel_cmps2();
+
+    if (gap.gap_cm == GAP_MAX_CM) {
+        return GAP_CONTROL;
+    }
+    if (gap.state != GAP_EMERGENCY) {
+        frames_safe = 0;
+        return gap_is_too_late(decel_cmps2, FULL_CMPS2) ? GAP_EMERGENCY : GAP_CONTROL;
+    }
+    if (gap_is_too_late(0, SAFE_AGAIN_CMPS2)) {
+        frames_safe = 0;
+        return GAP_EMERGENCY;
+    }
+    frames_safe++;
+    return frames_safe < SAFE_AGAIN_FRAMES ? GAP_EMERGENCY : GAP_CONTROL;
+}
+
+/* The published law's acceleration, limited by the set speed and by what the frame before asked
+ * for; full brake in EMERGENCY. */
+static int16_t safe_cmps2(int16_t law_cmps2)
+{
+    int16_t cruise_cmps2 = limited((int16_t)((int16_t)gap.set_cmps - (int16_t)gap.own_cmps),
+                                   -CRUISE_MAX_CMPS2, GAP_ACCEL_MAX_CMPS2);
+    int16_t before_cmps2 = asked_cmps2;
+
+    if (gap.gap_cm == GAP_MAX_CM) {
+        law_cmps2 = CRUISE_MAX_CMPS2;
+    }
+    asked_cmps2 = law_cmps2 < cruise_cmps2 ? law_cmps2 : cruise_cmps2;
+    if (gap.state == GAP_EMERGENCY) {
+        asked_cmps2 = -GAP_ACCEL_MAX_CMPS2;
+    }
+    return asked_cmps2 < before_cmps2 ? asked_cmps2 : before_cmps2;
+}
+
+#endif
+
+/* --- outputs and states ---------------------------------------------------------------------- */
+
 static void set_outputs(void)
 {
     uint16_t size_cmps2;
@@ -162,23 +315,29 @@ void gap_init(void)
     gap.brake_pct = 100;
     gap.throttle_us = GAP_THROTTLE_CLOSED_US;
     gap.accel_cmps2 = -GAP_ACCEL_MAX_CMPS2;
+    gap.lead = GAP_LEAD_DRIVES;
+#ifndef GAP_AS_PUBLISHED
+    asked_cmps2 = -GAP_ACCEL_MAX_CMPS2;
+    frames_other = 0;
+    frames_safe = 0;
+    late_cmps = UINT16_MAX;
+#endif
 }
 
 bool gap_read(void)
 {
-    uint16_t gap_cm = frame_u16(0);
-    uint16_t own_cmps = frame_u16(2);
-    uint16_t lead_cmps = frame_u16(4);
     int16_t lead_cmps2 = (int16_t)frame_u16(6);
 
-    if (gap_cm > GAP_MAX_CM || own_cmps > GAP_SPEED_MAX_CMPS || lead_cmps > GAP_SPEED_MAX_CMPS ||
-        lead_cmps2 > GAP_LEAD_MAX_CMPS2 || lead_cmps2 < -GAP_LEAD_MAX_CMPS2) {
+    if (frame_u16(0) > GAP_MAX_CM || frame_u16(2) > GAP_SPEED_MAX_CMPS ||
+        frame_u16(4) > GAP_SPEED_MAX_CMPS || lead_cmps2 > GAP_LEAD_MAX_CMPS2 ||
+        lead_cmps2 < -GAP_LEAD_MAX_CMPS2 || frame_body[8] > GAP_SET_MAX) {
         return false;
     }
-    gap.gap_cm = gap_cm;
-    gap.own_cmps = own_cmps;
-    gap.lead_cmps = lead_cmps;
+    gap.gap_cm = frame_u16(0);
+    gap.own_cmps = frame_u16(2);
+    gap.lead_cmps = frame_u16(4);
     gap.lead_cmps2 = lead_cmps2;
+    gap.set_cmps = mul_u8(frame_body[8], GAP_SET_STEP_CMPS);
     return true;
 }
 
@@ -186,7 +345,11 @@ void gap_decide(void)
 {
     int16_t accel_cmps2;
 
+#ifdef GAP_AS_PUBLISHED
     gap.state = GAP_CONTROL;
+#else
+    gap.state = safe_state();
+#endif
     gap.stop = false;
     gap.lead = lead_state();
     gap.safe_cm = gap_safe_cm();
@@ -202,7 +365,11 @@ void gap_decide(void)
     if (gap.own_cmps < GAP_CREEP_CMPS && accel_cmps2 < 0 && accel_cmps2 > -GAP_HOLD_CMPS2) {
         accel_cmps2 = -GAP_HOLD_CMPS2;
     }
+#ifdef GAP_AS_PUBLISHED
     gap.accel_cmps2 = accel_cmps2;
+#else
+    gap.accel_cmps2 = safe_cmps2(accel_cmps2);
+#endif
     set_outputs();
 }
 
@@ -214,4 +381,8 @@ void gap_lose(uint8_t fault_pct)
         gap.brake_pct = fault_pct;
     }
     gap.accel_cmps2 = (int16_t)-(int16_t)mul_u8(gap.brake_pct, GAP_ACCEL_MAX_CMPS2 / 100);
+#ifndef GAP_AS_PUBLISHED
+    asked_cmps2 = gap.accel_cmps2;
+    late_cmps = UINT16_MAX;
+#endif
 }

@@ -12,6 +12,26 @@
  *     u_fuzzy = table(0.2 (gap - D), 0.04 (lead - v))
  *     u       = (u_LQ + u_fuzzy) / 2
  *
+ * The image gap_paper (GAP_AS_PUBLISHED) is this law alone. The other one adds:
+ *
+ *     set speed    u is at most (set - v) / 1 s, and -2 m/s2 at least for that; with no car ahead it
+ *                  is that, at most 2 m/s2
+ *     lead state   `brakes` begins above 80 cm/s2, or at the fifth frame in a row above 20; it ends
+ *                  at the tenth frame in a row below that. `stands` ends above 50 cm/s
+ *     two frames   u is the smaller one of what the last two frames ask for: a single frame never
+ *                  releases the brake nor opens the throttle
+ *     EMERGENCY    full brake, see the states:
+ *
+ *     state      lost link  full brake, begun 0.35 s  even 5 m/s2, begun 0.35 s from now, keep
+ *                           from now, comes too late  the car from the lead, in two frames in a row
+ *     WAITING    FAULT      EMERGENCY                 CONTROL
+ *     CONTROL    FAULT      EMERGENCY                 -
+ *     EMERGENCY  FAULT      -                         CONTROL
+ *     FAULT      -          EMERGENCY                 CONTROL
+ * Between both, WAITING and FAULT end in CONTROL. It comes too late if, with 7.5 of the 8 m/s2, less
+ * than 0.5 m remains at any time while the lead keeps its present deceleration. 0.35 s are the next
+ * reading, its frame, and dead time and lag of the brake; meanwhile the car goes on as it brakes now.
+ *
  * Lengths are in cm, speeds in cm/s, accelerations in cm/s2; positive means faster. Roundings
  * belong to the specification: all of them make the car brake harder, by up to 0.17 m/s2. */
 #ifndef FUZZY51_GAP_H
@@ -19,11 +39,14 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "cc51.h"
 
 /* Payload of FRAME_GAP: gap (u16, cm), own speed (u16, cm/s), lead's speed (u16, cm/s), lead's
- * acceleration (i16, cm/s2). */
-#define GAP_PAYLOAD_BYTES  8
-#define GAP_MAX_CM         25000U /* this and more, or no car ahead: neither brake nor throttle */
+ * acceleration (i16, cm/s2), set speed (u8, GAP_SET_STEP_CMPS). */
+#define GAP_PAYLOAD_BYTES  9
+#define GAP_MAX_CM         25000U /* this and more: no car ahead */
+#define GAP_SET_STEP_CMPS  20U
+#define GAP_SET_MAX        225U /* 45 m/s */
 #define GAP_SPEED_MAX_CMPS 5000U
 #define GAP_LEAD_MAX_CMPS2 1500 /* faster or slower */
 
@@ -45,12 +68,14 @@ enum gap_lead { GAP_LEAD_STANDS, GAP_LEAD_DRIVES, GAP_LEAD_BRAKES };
 enum gap_state {
     GAP_WAITING, /* no three good frames yet: full brake, the car does not roll */
     GAP_CONTROL,
-    GAP_FAULT, /* the link is lost: the throttle is closed, the brake never falls */
+    GAP_EMERGENCY, /* full brake */
+    GAP_FAULT,     /* the link is lost: the throttle is closed, the brake never falls */
 };
 
 struct gap {
     uint16_t gap_cm, own_cmps, lead_cmps; /* as last read */
     int16_t lead_cmps2;
+    uint16_t set_cmps;   /* set speed, as last read */
     uint16_t safe_cm;    /* D */
     int16_t accel_cmps2; /* -800..800 */
     uint8_t brake_pct;
@@ -61,11 +86,12 @@ struct gap {
 };
 
 /* What the controller last read and decided. */
-extern struct gap gap;
+extern __idata struct gap gap;
 
 /*@ predicate gap_is_valid =
         gap.gap_cm <= GAP_MAX_CM && gap.own_cmps <= GAP_SPEED_MAX_CMPS &&
-        gap.lead_cmps <= GAP_SPEED_MAX_CMPS &&
+        gap.lead_cmps <= GAP_SPEED_MAX_CMPS && gap.set_cmps <= GAP_SET_MAX * GAP_SET_STEP_CMPS &&
+        -GAP_ACCEL_MAX_CMPS2 <= gap.accel_cmps2 <= GAP_ACCEL_MAX_CMPS2 &&
         -GAP_LEAD_MAX_CMPS2 <= gap.lead_cmps2 <= GAP_LEAD_MAX_CMPS2 &&
         gap.brake_pct <= 100 && gap.state <= GAP_FAULT && gap.lead <= GAP_LEAD_BRAKES &&
         GAP_THROTTLE_CLOSED_US <= gap.throttle_us <= GAP_THROTTLE_FULL_US; */
@@ -76,18 +102,19 @@ extern struct gap gap;
 void gap_init(void);
 
 /* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if a value
- * is out of range: gap_cm > GAP_MAX_CM, a speed > GAP_SPEED_MAX_CMPS, or the lead's acceleration
- * more than GAP_LEAD_MAX_CMPS2 in either direction. */
+ * is out of range: gap_cm > GAP_MAX_CM, a speed > GAP_SPEED_MAX_CMPS, the lead's acceleration more
+ * than GAP_LEAD_MAX_CMPS2 in either direction, or a set speed > GAP_SET_MAX. */
 /*@ requires gap_is_valid;
     ensures gap_is_valid;
     ensures !\result ==> gap == \old(gap); */
 bool gap_read(void);
 
 /* Makes one control step with what was read. Call it only while the link is up, each 50 ms. Less
- * than 2,800 mc together with gap_read. */
+ * than 8,000 mc together with gap_read and what frames.c does with a frame. */
 /*@ requires gap_is_valid;
     ensures gap_is_valid;
-    ensures gap.state == GAP_CONTROL && !gap.stop;
+    ensures (gap.state == GAP_CONTROL || gap.state == GAP_EMERGENCY) && !gap.stop;
+    ensures gap.state == GAP_EMERGENCY ==> gap.brake_pct == 100;
     ensures gap.brake_pct == 0 || gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_decide(void);
 
@@ -113,5 +140,11 @@ int16_t gap_lq_cmps2(void);
     assigns \nothing;
     ensures -GAP_ACCEL_MAX_CMPS2 <= \result <= GAP_ACCEL_MAX_CMPS2; */
 int16_t gap_fuzzy_cmps2(void);
+
+/* Returns whether the car comes too near to the lead if it brakes with now_cmps2 (0..800) for 0.35
+ * s, and then with later_cmps2 (100..800). */
+/*@ requires gap_is_valid && now_cmps2 <= 800 && 100 <= later_cmps2 <= 800;
+    assigns \nothing; */
+bool gap_is_too_late(uint16_t now_cmps2, uint16_t later_cmps2);
 
 #endif

@@ -6,7 +6,7 @@
 
 static const char __code HEADER[] = "seq,ms,gap_cm,safe_cm,accel_cmps2,brake_pct,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%u,%u,%s%u,%u,%s,%u\r\n";
-static const char __code *const __code STATES[] = {"WAITING", "CONTROL", "FAULT"};
+static const char __code *const __code STATES[] = {"WAITING", "CONTROL", "EMERGENCY", "FAULT"};
 
 /* 50 ms */
 const struct frames_app __code app = {FRAME_GAP, GAP_PAYLOAD_BYTES, 5, HEADER, LINE};

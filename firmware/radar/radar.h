@@ -25,10 +25,10 @@
  * (2), (3): at the second or third frame in a row that says so; until then state and brake stay as
  * they are, also those of FAULT.
  *
- * It is far if S > 9/8 S_F. It approaches if V_R is more than RADAR_SURE_DKMH, or S
- * less than RADAR_NEAR_CM, or V_R was above 0 in RADAR_CLOSING_FRAMES frames in a row: noise alone does not brake. It draws away if V_R is
- * less than -RADAR_AWAY_DKMH. While the car brakes, the brake is the larger of what the last two
- * frames ask for. */
+ * It is far if S > 9/8 S_F. It approaches if V_R is more than RADAR_SURE_DKMH, or S less than
+ * RADAR_NEAR_CM, or V_R was above 0 in RADAR_CLOSING_FRAMES frames in a row: noise alone does not
+ * brake. It draws away if V_R is less than -RADAR_AWAY_DKMH. While the car brakes, the brake is the
+ * larger of what the last two frames ask for. */
 #ifndef FUZZY51_RADAR_H
 #define FUZZY51_RADAR_H
 

@@ -22,4 +22,5 @@ void bench_payload(uint16_t n)
     n /= SPEEDS;
     put(4, n * 249U);
     put(6, n & 1 ? 0xFDA8 /* -6 m/s2 */ : 0);
+    frame_body[8] = 225; /* the highest set speed */
 }

@@ -11,10 +11,11 @@
 /* The frames of firmware/frames/frame.h and gap.h: lengths in cm, speeds in cm/s. */
 enum {
     KIND = 2,
-    PAYLOAD_BYTES = 8,
+    PAYLOAD_BYTES = 9,
     GAP_MAX_CM = 25000,
     SPEED_MAX_CMPS = 5000,
-    ACCEL_MAX_CMPS2 = 1500
+    ACCEL_MAX_CMPS2 = 1500,
+    SET_STEP_CMPS = 20
 };
 
 static const double slope_s = 0.001; /* over which the head takes the lead's acceleration */
@@ -22,14 +23,32 @@ static const double slope_s = 0.001; /* over which the head takes the lead's acc
 enum { SHAPE_NS = 10000000 };
 
 struct gap_settings {
+    struct {
+        double set_mps;
+    } cruise;
     struct head_noise noise;
     struct head_settings head;
 };
+
+static const struct key cruise_keys[] = {
+    {.name = "set_mps",
+     .meaning = "the speed that the driver has set, in steps of 0.2 m/s",
+     .at = 0,
+     .high = 45,
+     .initial = 45},
+};
+
+static const struct section cruise_section = {.name = "cruise",
+                                              .meaning = "what the driver wants",
+                                              SECTION_KEYS(cruise_keys),
+                                              .size =
+                                                  sizeof(((struct gap_settings *)NULL)->cruise)};
 
 static const struct section_use sections[] = {
     {.section = &scenario_section, .required = true},
     {.section = &ego_section, AT_SCENARIO(ego), .required = true},
     {.section = &lead_section, AT_SCENARIO(lead), .only = LEAD_KEYS_OF_A_HEAD},
+    {.section = &cruise_section, AT_SETTINGS(struct gap_settings, cruise)},
     {.section = &head_noise_section, AT_SETTINGS(struct gap_settings, noise)},
     HEAD_SECTIONS(struct gap_settings, head),
     FLIP_SECTION,
@@ -91,15 +110,15 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
                 measured(world, lead_mps, settings->noise.lead_mps, 0, SPEED_MAX_CMPS));
     head_put_16(payload + 6, measured(world, lead_accel_mps2(car), settings->noise.lead_mps2,
                                       -ACCEL_MAX_CMPS2, ACCEL_MAX_CMPS2));
+    payload[8] = (uint8_t)lround(settings->cruise.set_mps * 100 / SET_STEP_CMPS);
 }
 
 static void spoil(struct random *random, uint8_t *payload)
 {
-    static const struct head_value impossible[] = {{0, 2, GAP_MAX_CM + 1},
-                                                   {2, 2, SPEED_MAX_CMPS + 1},
-                                                   {4, 2, 65535},
-                                                   {6, 2, ACCEL_MAX_CMPS2 + 1},
-                                                   {6, 2, -32768}};
+    static const struct head_value impossible[] = {
+        {0, 2, GAP_MAX_CM + 1}, {2, 2, SPEED_MAX_CMPS + 1},
+        {4, 2, 65535},          {6, 2, ACCEL_MAX_CMPS2 + 1},
+        {6, 2, -32768},         {8, 1, 226}};
 
     head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
 }
