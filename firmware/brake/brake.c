@@ -12,11 +12,23 @@ static uint8_t demand_pct; /* what the brake does but for STOP and override */
 static __bit is_in_reach;  /* the target, of the law */
 static uint8_t override_cs;
 
-/* Of the last reading. What is within BRAKE_STOP_MM is STOP at once; the latch follows in
- * brake_finish. */
+/* Of the last reading. What is within BRAKE_STOP_MM is STOP at once; in brake_finish the latch
+ * takes over. */
 static __bit is_believed, is_within;
 
+/* Holds from brake_init on. */
+/*@ predicate brake_is_valid =
+        demand_pct <= 100 && (fault_state != FAULT_GOOD ==> demand_pct >= FAULT_PCT) &&
+        override_cs <= BRAKE_OVERRIDE_CS &&
+        (brake.overridden <==> override_cs == BRAKE_OVERRIDE_CS) &&
+        fault_is_valid && latch_is_valid && target_is_valid;
+    predicate brake_is_settled =
+        (brake.stop <==> !brake.overridden && (is_within || latch_state != LATCH_OPEN)) &&
+        brake.brake_pct == (brake.overridden ? 0 : brake.stop ? 100 : demand_pct) &&
+        (brake.state == BRAKE_FAULT <==> fault_state != FAULT_GOOD); */
 /* What the pins do, from what was decided. */
+/*@ assigns brake.brake_pct, brake.stop, brake.state;
+    ensures brake_is_settled; */
 static void settle(void)
 {
     brake.stop = false;
@@ -38,6 +50,8 @@ static void settle(void)
     }
 }
 
+/*@ assigns demand_pct;
+    ensures demand_pct == \max(\old(demand_pct), least_pct); */
 static void raise(uint8_t least_pct)
 {
     if (demand_pct < least_pct) {
@@ -46,6 +60,8 @@ static void raise(uint8_t least_pct)
 }
 
 /* FAULT begins. The brake never falls for want of a reading. */
+/*@ assigns demand_pct;
+    ensures demand_pct == (FAULT_PCT == 0 ? 0 : \max(\old(demand_pct), FAULT_PCT)); */
 static void demand_fault(void)
 {
 #if FAULT_PCT > 0
@@ -55,6 +71,14 @@ static void demand_fault(void)
 #endif
 }
 
+/*@ assigns brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,
+            fault_state, fault_code, silence_cs, good_readings,
+            latch_state, clear_readings, elsewhere_readings, left_readings,
+            target_worth, closing_place_mm, closing_difference, closing_smooth,
+            since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
+            clears, smooth_2mmps;
+    ensures brake_is_valid && brake_is_settled && !is_within;
+    ensures silence_cs == 0 && good_readings == 0 && clear_readings == 0 && override_cs == 0; */
 void brake_init(uint8_t fault)
 {
     target_init();
@@ -76,6 +100,10 @@ void brake_init(uint8_t fault)
     settle();
 }
 
+/*@ requires brake_is_valid && brake_is_settled;
+    assigns brake.brake_pct, brake.stop, brake.state, demand_pct, fault_state, fault_code;
+    ensures brake_is_valid && brake_is_settled;
+    ensures t2_holds: FAULT_PCT > 0 ==> brake.brake_pct >= \old(brake.brake_pct); */
 void brake_fail(uint8_t fault)
 {
     if (fault_fail(fault)) {
@@ -89,6 +117,10 @@ extern inline bool brake_must_stop(uint16_t dist_mm);
 #endif
 
 /* In FAULT nothing lowers the demand. */
+/*@ requires wanted_pct <= 100;
+    assigns demand_pct;
+    ensures demand_pct == (fault_state == FAULT_GOOD ? wanted_pct
+                                                     : \max(\old(demand_pct), wanted_pct)); */
 static void demand(uint8_t wanted_pct)
 {
     if (fault_state == FAULT_GOOD) {
@@ -99,6 +131,8 @@ static void demand(uint8_t wanted_pct)
 }
 
 /* No target within the law's reach. */
+/*@ assigns is_in_reach, demand_pct;
+    ensures demand_pct == (fault_state == FAULT_GOOD ? 0 : \old(demand_pct)); */
 static void demand_nothing(void)
 {
     is_in_reach = false;
@@ -108,6 +142,10 @@ static void demand_nothing(void)
 
 /* The believed echo of a target. With a lasting fault the table, or what holds it, cannot be
  * trusted. */
+/*@ requires target_worth != TARGET_NONE && target_is_valid && demand_pct <= 100;
+    assigns is_in_reach, demand_pct, law_answer;
+    ensures demand_pct <= 100;
+    ensures fault_state != FAULT_GOOD ==> demand_pct >= \old(demand_pct); */
 static void demand_for_target(void)
 {
     uint16_t far_mm = LAW_FAR_MM;
@@ -126,6 +164,15 @@ static void demand_for_target(void)
     }
 }
 
+/*@ requires target_is_valid && range_reading.kind <= RANGE_DEAD_ZONE;
+    assigns target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth,
+            echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, is_clear, clears,
+            rate, nearer_mm, smooth_mm, smooth_2mmps;
+    ensures target_is_valid;
+    ensures \result < BRAKE_FAULT_WATCHDOG;
+    ensures range_reading.kind > RANGE_NO_TARGET ==> \result != BRAKE_FAULT_NONE;
+    ensures range_reading.kind == RANGE_ECHO && \result == BRAKE_FAULT_NONE ==>
+                target_worth != TARGET_NONE; */
 static uint8_t find_trouble(void)
 {
     if (range_reading.kind == RANGE_ECHO) {
@@ -137,11 +184,35 @@ static uint8_t find_trouble(void)
     return (uint8_t)(range_reading.kind - RANGE_NOT_RISEN + BRAKE_FAULT_NOT_RISEN);
 }
 
+/*@ requires brake_is_valid;
+    assigns target_worth, closing_foreseen_mm, closing_difference, closing_smooth,
+            since_cs, since_aside_cs, was_clear, is_clear, is_moving, stuck_readings, smooth_2mmps;
+    ensures brake_is_valid; */
 void brake_expect(uint8_t elapsed_cs)
 {
     target_expect(elapsed_cs);
 }
 
+/*@ requires brake_is_valid && brake_is_settled && !is_within;
+    assigns brake.brake_pct, brake.stop, brake.state, range_reading, law_answer, demand_pct,
+            is_in_reach, is_believed, is_within,
+            fault_state, fault_code, silence_cs, good_readings,
+            target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth,
+            echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, is_clear, clears,
+            rate, nearer_mm, smooth_mm, smooth_2mmps;
+    ensures brake_is_valid && brake_is_settled;
+    ensures kind > RANGE_NO_TARGET ==> !is_believed;
+    ensures is_within <==> kind == RANGE_ECHO && dist_mm <= BRAKE_STOP_MM;
+    ensures silence_cs == (is_believed ? 0 : \old(silence_cs));
+    ensures \old(fault_state) == FAULT_ON && fault_state == FAULT_ON ==>
+                good_readings == (is_believed ? \old(good_readings) + 1 : 0);
+    ensures t2_holds: !is_believed || (kind == RANGE_NO_TARGET && target_worth != TARGET_NONE) ==>
+                brake.brake_pct >= \old(brake.brake_pct) && demand_pct >= \old(demand_pct);
+    ensures t6_leaves: fault_state == \old(fault_state) ||
+                (\old(fault_state) == FAULT_ON && fault_state == FAULT_GOOD && is_believed &&
+                 \old(good_readings) == FAULT_GOOD_READINGS - 1);
+    ensures t7_no_dead_state: \old(fault_state) == FAULT_ON && is_believed &&
+                \old(good_readings) == FAULT_GOOD_READINGS - 1 ==> fault_state == FAULT_GOOD; */
 void brake_step(uint8_t kind, uint16_t dist_mm)
 {
     uint8_t trouble;
@@ -151,7 +222,6 @@ void brake_step(uint8_t kind, uint16_t dist_mm)
     trouble = find_trouble();
     is_believed = trouble == BRAKE_FAULT_NONE;
     fault_take(trouble);
-    is_within = false;
     if (range_reading.kind == RANGE_ECHO) {
         if (range_reading.dist_mm <= BRAKE_STOP_MM) {
             is_within = true;
@@ -173,6 +243,8 @@ void brake_step(uint8_t kind, uint16_t dist_mm)
 }
 
 /* Whether the driver should act now: see warning.h. */
+/*@ requires closing_is_valid;
+    assigns \nothing; */
 static bool is_urgent(void)
 {
     uint16_t ahead_mm = range_reading.dist_mm;
@@ -193,6 +265,14 @@ static bool is_urgent(void)
     return law_pct(ahead_mm, &closing_smooth) >= WARNING_PCT;
 }
 
+/*@ requires brake_is_valid && brake_is_settled;
+    assigns brake.brake_pct, brake.stop, brake.state, brake.warn, is_within, latch_state,
+            clear_readings, elsewhere_readings, left_readings,
+            closing_smooth, closing_difference, smooth_mm, smooth_2mmps;
+    ensures brake_is_valid && brake_is_settled && !is_within;
+    ensures !brake.overridden ==> latch_moves{Pre, Post}(is_believed);
+    ensures brake.overridden ==> latch_state == \old(latch_state) &&
+                clear_readings == \old(clear_readings); */
 void brake_finish(void)
 {
     bool has_reason = false;
@@ -208,10 +288,22 @@ void brake_finish(void)
     if (!brake.overridden) {
         latch_take(is_believed);
     }
+    is_within = false;
     brake.warn = warning_take(has_reason);
     settle();
 }
 
+/*@ requires brake_is_valid && brake_is_settled && !is_within;
+    assigns brake.brake_pct, brake.stop, brake.state, brake.overridden, demand_pct, override_cs,
+            latch_state, fault_state, silence_cs, good_readings;
+    ensures brake_is_valid && brake_is_settled;
+    ensures override_cs == (override_held ? \min(\old(override_cs) + 1, BRAKE_OVERRIDE_CS) : 0);
+    ensures latch_state == (brake.overridden ? LATCH_OPEN : \old(latch_state));
+    ensures FAULT_PCT > 0 ==> demand_pct >= \old(demand_pct);
+    ensures silence_cs == \min(\old(silence_cs) + 1, FAULT_SILENCE_CS);
+    ensures t3_silence: \old(silence_cs) == FAULT_SILENCE_CS ==> fault_state != FAULT_GOOD;
+    ensures fault_state == \old(fault_state) ? good_readings == \old(good_readings)
+                : \old(fault_state) == FAULT_GOOD && fault_state == FAULT_ON && good_readings == 0; */
 void brake_tick(bool override_held)
 {
     if (!override_held) {

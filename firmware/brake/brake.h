@@ -55,13 +55,23 @@ struct brake_output {
 extern struct brake_output brake;
 
 /* Starts RELEASED, or in FAULT if `fault` is not BRAKE_FAULT_NONE. */
+/*@ requires fault <= BRAKE_FAULT_IDLE;
+    ensures !brake.overridden && !brake.stop;
+    ensures fault != BRAKE_FAULT_NONE ==>
+                brake.state == BRAKE_FAULT && brake.brake_pct == FAULT_PCT; */
 void brake_init(uint8_t fault);
 
 /* Goes to FAULT for one of the lasting faults, unless one is there. */
+/*@ requires BRAKE_FAULT_TABLE <= fault <= BRAKE_FAULT_IDLE;
+    ensures fault_state == FAULT_LASTING;
+    ensures brake.state == BRAKE_FAULT;
+    ensures !brake.overridden ==> brake.brake_pct >= FAULT_PCT; */
 void brake_fail(uint8_t fault);
 
 /* Must this reading (of kind RANGE_ECHO) stop the car? It needs neither estimator nor table, so ask
  * it first. About 15 mc; inline. */
+/*@ assigns \nothing;
+    ensures \result <==> dist_mm <= BRAKE_STOP_MM && !brake.overridden; */
 inline bool brake_must_stop(uint16_t dist_mm)
 {
     return dist_mm <= BRAKE_STOP_MM && !brake.overridden;
@@ -74,10 +84,17 @@ inline bool brake_must_stop(uint16_t dist_mm)
  * warning; bring the pins up to date again. `make` proves what each takes: build/BOARD/APP.bound.
  */
 void brake_expect(uint8_t elapsed_cs);
+/*@ requires kind <= RANGE_DEAD_ZONE;
+    ensures range_reading.kind == kind && range_reading.dist_mm == dist_mm;
+    ensures t1_echo: kind == RANGE_ECHO && dist_mm <= BRAKE_STOP_MM && !brake.overridden ==>
+                brake.stop && brake.brake_pct == 100;
+    ensures t5_duty: brake.brake_pct <= 100; */
 void brake_step(uint8_t kind, uint16_t dist_mm);
 void brake_finish(void);
 
 /* Every 1/100 s. Bring the pins up to date. */
+/*@ ensures t5_duty: brake.brake_pct <= 100;
+    ensures t8_override: !override_held ==> !brake.overridden; */
 void brake_tick(bool override_held);
 
 #endif

@@ -25,6 +25,10 @@ static const uint16_t __code RATES[] = {
 /* So many mm of a difference count: in the least time they are 64 m/s. */
 #define MOVED_MAX_MM 3200U
 
+/*@ assigns closing_smooth;
+    ensures closing_smooth.closing_mmps == 0 || closing_smooth.opening_mmps == 0;
+    ensures smooth_2mmps == 0 ==>
+                closing_smooth.closing_mmps == 0 && closing_smooth.opening_mmps == 0; */
 static void show_smooth(void)
 {
     uint16_t mmps = (uint16_t)(smooth_2mmps << 1);
@@ -38,12 +42,15 @@ static void show_smooth(void)
     }
 }
 
+/*@ assigns closing_difference;
+    ensures closing_difference == closing_smooth; */
 static void copy_to_difference(void)
 {
     closing_difference.closing_mmps = closing_smooth.closing_mmps;
     closing_difference.opening_mmps = closing_smooth.opening_mmps;
 }
 
+/*@ assigns smooth_2mmps; */
 void closing_restart(void)
 {
     smooth_2mmps = 0;
@@ -51,6 +58,8 @@ void closing_restart(void)
     copy_to_difference();
 }
 
+/*@ assigns rate, nearer_mm;
+    ensures nearer_mm == (uint16_t)(\old(closing_place_mm) - dist_mm); */
 void closing_take(uint16_t dist_mm, uint8_t span_cs)
 {
     uint8_t index = (uint8_t)(span_cs - CLOSING_SPAN_MIN_CS);
@@ -65,6 +74,8 @@ void closing_take(uint16_t dist_mm, uint8_t span_cs)
 }
 
 /* So many mm, modulo 2^16, at `rate`. */
+/*@ assigns \nothing;
+    ensures mm == 0 ==> \result == 0; */
 static uint16_t speed_2mmps(uint16_t mm)
 {
     __bit is_opening = (int16_t)mm < 0;
@@ -82,6 +93,7 @@ static uint16_t speed_2mmps(uint16_t mm)
     return mm;
 }
 
+/*@ assigns rate, nearer_mm, smooth_mm, smooth_2mmps; */
 void closing_take_second(uint16_t dist_mm, uint8_t span_cs)
 {
     closing_take(dist_mm, span_cs);
@@ -117,6 +129,7 @@ void closing_take_difference(void)
     }
 }
 
+/*@ assigns smooth_mm, smooth_2mmps; */
 void closing_take_smooth(void)
 {
     int16_t off_mm = (int16_t)(closing_foreseen_mm - closing_place_mm);

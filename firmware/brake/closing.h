@@ -27,6 +27,9 @@ struct closing_speed {
 extern __data struct closing_speed closing_difference; /* plain difference */
 extern __data struct closing_speed closing_smooth;     /* alpha-beta */
 
+/*@ predicate closing_is_valid =
+        (closing_difference.closing_mmps == 0 || closing_difference.opening_mmps == 0) &&
+        (closing_smooth.closing_mmps == 0 || closing_smooth.opening_mmps == 0); */
 /* Which estimator feeds the law: ESTIMATOR_difference (default) or ESTIMATOR_smooth; the other one
  * can wait until the brake has acted. The release of STOP and the warning always ask the smooth
  * one. */
@@ -48,22 +51,40 @@ extern uint8_t closing_span_cs;
 extern uint16_t closing_place_mm, closing_foreseen_mm;
 
 /* No speed, until a target's second place. */
+/*@ assigns closing_difference, closing_smooth;
+    ensures closing_is_valid;
+    ensures closing_difference.closing_mmps == 0 && closing_smooth.closing_mmps == 0;
+    ensures closing_difference.opening_mmps == 0 && closing_smooth.opening_mmps == 0; */
 void closing_restart(void);
 
 /* The target's second place, span_cs (5..31; other times count as 31) after closing_place_mm: both
  * estimators begin with the difference. */
+/*@ assigns closing_place_mm, closing_span_cs, closing_difference, closing_smooth;
+    ensures closing_is_valid;
+    ensures closing_place_mm == dist_mm && closing_span_cs == span_cs;
+    ensures closing_difference == closing_smooth; */
 void closing_take_second(uint16_t dist_mm, uint8_t span_cs);
 
 /* A later one, within CLOSING_OFF_MAX_MM of where it was foreseen. Each estimator is owed its call
  * below. */
+/*@ assigns closing_place_mm, closing_span_cs;
+    ensures closing_place_mm == dist_mm && closing_span_cs == span_cs; */
 void closing_take(uint16_t dist_mm, uint8_t span_cs);
 
 /* Takes the place of closing_take into one estimator: once each, before the next closing_expect.
  * Up to 200 mc each. */
+/*@ requires closing_is_valid;
+    assigns closing_difference;
+    ensures closing_is_valid; */
 void closing_take_difference(void);
+/*@ requires closing_is_valid;
+    assigns closing_smooth;
+    ensures closing_is_valid; */
 void closing_take_smooth(void);
 
 /* The next place is due span_cs after the last one. From the second place on. Up to 250 mc. */
+/*@ requires closing_is_valid;
+    assigns closing_foreseen_mm; */
 void closing_expect(uint8_t span_cs);
 
 #endif

@@ -45,15 +45,31 @@ extern uint8_t fault_state;
 extern uint8_t fault_code;
 
 /* Starts with BRAKE_FAULT_NONE, _WATCHDOG or one of the lasting ones. */
+/*@ requires code <= BRAKE_FAULT_IDLE;
+    assigns fault_state, fault_code;
+    ensures fault_code == code;
+    ensures fault_state == (code == BRAKE_FAULT_NONE   ? FAULT_GOOD :
+                            code >= BRAKE_FAULT_TABLE ? FAULT_LASTING : FAULT_ON); */
 void fault_init(uint8_t code);
 
 /* A reading came: BRAKE_FAULT_NONE if it is believed, else why not. Up to 40 mc. */
+/*@ assigns fault_state, fault_code;
+    ensures fault_state == \old(fault_state) ||
+            (\old(fault_state) == FAULT_ON && fault_state == FAULT_GOOD);
+    ensures t6_leaves: trouble != BRAKE_FAULT_NONE ==> fault_state == \old(fault_state); */
 void fault_take(uint8_t trouble);
 
 /* Every 1/100 s. True: FAULT begins now. */
+/*@ assigns fault_state;
+    ensures \result <==> \old(fault_state) == FAULT_GOOD && fault_state == FAULT_ON;
+    ensures !\result ==> fault_state == \old(fault_state); */
 bool fault_tick(void);
 
 /* One of the lasting faults was found. True: it is the first of them. */
+/*@ requires BRAKE_FAULT_TABLE <= code <= BRAKE_FAULT_IDLE;
+    assigns fault_state, fault_code;
+    ensures fault_state == FAULT_LASTING;
+    ensures \result <==> \old(fault_state) != FAULT_LASTING; */
 bool fault_fail(uint8_t code);
 
 #endif

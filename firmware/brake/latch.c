@@ -37,6 +37,42 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
     {H, H, H, O, H, H, O, G, O, G}, /* OPENING */
 };
 
+/* Holds from latch_init on, whatever happens to latch_state. */
+/*@ predicate latch_is_valid =
+        clear_readings <= LATCH_ROAD_READINGS && elsewhere_readings <= LATCH_PASSED_READINGS;
+    predicate latch_sees_beyond =
+        range_reading.kind == RANGE_ECHO && range_reading.dist_mm > LATCH_NEAR_MM;
+    predicate latch_sees_opening(bool is_of_target) =
+        latch_sees_beyond && is_of_target && target_worth == TARGET_TRACKED &&
+        closing_smooth.opening_mmps > LATCH_OPENING_MMPS;
+    predicate latch_sees_passed(bool is_of_target) =
+        latch_sees_beyond && is_of_target && elsewhere_readings == LATCH_PASSED_READINGS;
+    predicate latch_sees_road = clear_readings == LATCH_ROAD_READINGS; */
+
+/* What one reading makes of STOP: what keeps it, all that ends it, and what must end it. */
+/*@ predicate latch_moves{Before, Now}(bool is_of_target) =
+        \let was = \at(latch_state, Before); \let is = \at(latch_state, Now);
+        \let kind = \at(range_reading.kind, Now);
+        is < LATCH_STATES &&
+        \at(clear_readings, Now) == (kind == RANGE_NO_TARGET
+            ? \min(\at(clear_readings, Before) + 1, LATCH_ROAD_READINGS) : 0) &&
+        (kind == RANGE_ECHO && \at(range_reading.dist_mm, Now) <= BRAKE_STOP_MM ==>
+            is != LATCH_OPEN) &&
+        (kind > RANGE_NO_TARGET && was < LATCH_STATES ==> is == was) &&
+        (!is_of_target && was != LATCH_OPEN && was != LATCH_DOUBTED && !latch_sees_road{Now} ==>
+            is != LATCH_OPEN) &&
+        (was != LATCH_OPEN && is == LATCH_OPEN ==>
+            latch_sees_road{Now} || latch_sees_passed{Now}(is_of_target) ||
+            (latch_sees_opening{Now}(is_of_target) && was != LATCH_HELD) ||
+            (was == LATCH_TRIAL && latch_sees_beyond{Now} && is_of_target &&
+                \at(target_worth, Now) == TARGET_TRACKED) ||
+            (was == LATCH_DOUBTED && (latch_sees_beyond{Now} || kind == RANGE_NO_TARGET))) &&
+        (latch_sees_road{Now} || latch_sees_passed{Now}(is_of_target) ==> is == LATCH_OPEN) &&
+        (latch_sees_opening{Now}(is_of_target) ==> is == LATCH_OPEN ||
+            (is == LATCH_OPENING && (was == LATCH_HELD || was >= LATCH_STATES))); */
+
+/*@ assigns clear_readings, elsewhere_readings;
+    ensures latch_is_valid && clear_readings == 0; */
 void latch_init(void)
 {
     latch_state = LATCH_OPEN;
@@ -50,6 +86,15 @@ void latch_override(void)
 }
 
 /* An echo beyond LATCH_NEAR_MM. */
+/*@ requires latch_is_valid && latch_sees_beyond;
+    assigns elsewhere_readings;
+    ensures latch_is_valid;
+    ensures \result == PASSED || \result == OPENING || \result == BEYOND_TRACKED ||
+            \result == BEYOND;
+    ensures \result == PASSED <==> latch_sees_passed(is_of_target);
+    ensures \result == OPENING ==> latch_sees_opening(is_of_target);
+    ensures latch_sees_opening(is_of_target) ==> \result == OPENING || \result == PASSED;
+    ensures \result == BEYOND_TRACKED ==> is_of_target && target_worth == TARGET_TRACKED; */
 static uint8_t far_column(bool is_of_target)
 {
     if (is_of_target) {
@@ -70,6 +115,23 @@ static uint8_t far_column(bool is_of_target)
     return BEYOND;
 }
 
+/*@ requires latch_is_valid;
+    assigns clear_readings, elsewhere_readings;
+    ensures latch_is_valid;
+    ensures clear_readings == (range_reading.kind == RANGE_NO_TARGET
+                ? \min(\old(clear_readings) + 1, LATCH_ROAD_READINGS) : 0);
+    ensures \result < COLUMNS;
+    ensures \result == ROAD <==> latch_sees_road;
+    ensures \result == CLEAR <==> range_reading.kind == RANGE_NO_TARGET && !latch_sees_road;
+    ensures \result == FAULT <==>
+                range_reading.kind != RANGE_NO_TARGET && range_reading.kind != RANGE_ECHO;
+    ensures \result == WITHIN || \result == WITHIN_TRACKED <==>
+                range_reading.kind == RANGE_ECHO && range_reading.dist_mm <= BRAKE_STOP_MM;
+    ensures OPENING <= \result <= PASSED <==> latch_sees_beyond;
+    ensures \result == PASSED <==> latch_sees_passed(is_of_target);
+    ensures \result == OPENING ==> latch_sees_opening(is_of_target);
+    ensures latch_sees_opening(is_of_target) ==> \result == OPENING || \result == PASSED;
+    ensures \result == BEYOND_TRACKED ==> is_of_target && target_worth == TARGET_TRACKED; */
 static uint8_t column_of(bool is_of_target)
 {
     if (range_reading.kind == RANGE_NO_TARGET) {
@@ -97,6 +159,9 @@ static uint8_t column_of(bool is_of_target)
     return WITHIN;
 }
 
+/*@ requires latch_is_valid;
+    assigns clear_readings, elsewhere_readings;
+    ensures latch_is_valid && latch_moves{Pre, Post}(is_of_target); */
 void latch_take(bool is_of_target)
 {
     uint8_t column = column_of(is_of_target);

@@ -46,12 +46,20 @@ enum latch_state { LATCH_OPEN, LATCH_TRIAL, LATCH_DOUBTED, LATCH_HELD, LATCH_OPE
 #define LATCH_STATES 5U
 extern uint8_t latch_state;
 
+/*@ assigns latch_state;
+    ensures latch_state == LATCH_OPEN; */
 void latch_init(void);
 
 /* range_reading came; is_of_target: it is one of the target of target.h. Up to 120 mc. */
+/*@ assigns latch_state;
+    ensures latch_state < LATCH_STATES;
+    ensures t1_echo: range_reading.kind == RANGE_ECHO && range_reading.dist_mm <= BRAKE_STOP_MM
+                ==> latch_state != LATCH_OPEN; */
 void latch_take(bool is_of_target);
 
 /* The driver has the brake. */
+/*@ assigns latch_state;
+    ensures latch_state == LATCH_OPEN; */
 void latch_override(void);
 
 #endif

@@ -28,15 +28,23 @@ struct law_answer {
 extern __data struct law_answer law_answer; /* of the last law_step */
 
 /* Whatever it remembers of the target before: nothing. */
+/*@ assigns \nothing; */
 void law_restart(void);
 
 /* One control step, for a target of that worth (target.h; not TARGET_NONE) at
  * 0..LAW_FAR_MM + BRAKE_SLACK_FAR_MM that closes with CLOSING_LAW. A law with a table brakes from
  * the second reading of a target on: one alone may be a stray echo or something that only passes
  * (but see law_tuned.h). */
+/*@ requires worth != TARGET_NONE && target_is_worth(worth) && closing_is_valid;
+    assigns law_answer;
+    ensures t5_cell: law_answer.row < LUT_IN1_CELLS && law_answer.col < LUT_IN2_CELLS;
+    ensures t5_cell: law_answer.brake_pct <= 100; */
 void law_step(uint8_t worth, uint16_t dist_mm);
 
 /* What a target at 0..LAW_FAR_MM with that speed would be braked for, now and without a past. */
+/*@ requires \valid_read(speed) && (speed->closing_mmps == 0 || speed->opening_mmps == 0);
+    assigns \nothing;
+    ensures \result <= 100; */
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed);
 
 #endif

@@ -15,6 +15,7 @@ extern inline uint8_t range_kind(uint16_t dist_mm);
 #endif
 
 /* mul_hi_u16 with a factor that the compiler knows, and rounded. */
+/*@ ensures \result == (ticks * MM_PER_TICK_2E16 + 32768) / 65536; */
 uint16_t range_mm(uint16_t ticks)
 {
     uint16_t sum = mul_u8((uint8_t)ticks, (uint8_t)MM_PER_TICK_2E16), mm;
@@ -24,8 +25,11 @@ uint16_t range_mm(uint16_t ticks)
     sum += mul_u8((uint8_t)(ticks >> 8), (uint8_t)MM_PER_TICK_2E16);
     mm = (uint8_t)(sum >> 8);
     sum = (uint8_t)sum;
+    /*@ assert mm * 256 + sum == (uint8_t)ticks * (uint8_t)MM_PER_TICK_2E16 / 256 + 128 +
+            (uint8_t)(ticks >> 8) * (uint8_t)MM_PER_TICK_2E16; */
     sum += mul_u8((uint8_t)ticks, (uint8_t)(MM_PER_TICK_2E16 >> 8));
     mm += (uint8_t)(sum >> 8);
+    /*@ assert ticks == (uint8_t)(ticks >> 8) * 256 + (uint8_t)ticks; */
     mm += mul_u8((uint8_t)(ticks >> 8), (uint8_t)(MM_PER_TICK_2E16 >> 8));
     return mm;
 }

@@ -43,9 +43,13 @@ extern __data struct range_reading range_reading;
 
 /* The distance for a way there and back of 0..65535 ticks (machine cycles, 12 / CLK_HZ): in mm, at
  * most 1 mm off the exact quotient, never falling when ticks rise. At most 75 mc. */
+/*@ assigns \nothing; */
 uint16_t range_mm(uint16_t ticks);
 
 /* What a finished echo of this distance says: RANGE_ECHO, _NO_TARGET or _DEAD_ZONE. */
+/*@ assigns \nothing;
+    ensures \result == (dist_mm > RANGE_MAX_MM ? RANGE_NO_TARGET :
+                        dist_mm < RANGE_MIN_MM ? RANGE_DEAD_ZONE : RANGE_ECHO); */
 inline uint8_t range_kind(uint16_t dist_mm)
 {
     uint8_t kind = RANGE_ECHO;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The target and the one echo aside. */
 #include "target.h"
-#include "fault.h"
 #include "fixed.h"
 
 uint8_t target_worth;
@@ -23,7 +22,14 @@ static uint8_t clears;         /* since the target was seen */
 
 static uint16_t echo_mm; /* this reading */
 
+/* Holds from target_init on. */
+/*@ predicate target_is_valid =
+        target_worth <= TARGET_TRACKED && since_cs <= LONG_AGO_CS &&
+        since_aside_cs <= LONG_AGO_CS && stuck_readings <= TARGET_REST_READINGS &&
+        clears < TARGET_NEAR_CLEARS && closing_is_valid; */
 /* Whatever comes next is another target. */
+/*@ assigns target_worth, stuck_readings, closing_smooth, closing_difference, smooth_2mmps;
+    ensures target_worth == TARGET_NONE && stuck_readings == 0 && closing_is_valid; */
 static void drop(void)
 {
     target_worth = TARGET_NONE;
@@ -31,12 +37,17 @@ static void drop(void)
     closing_restart();
 }
 
+/*@ assigns aside_mm, since_aside_cs;
+    ensures aside_mm == closing_place_mm && since_aside_cs == since_cs; */
 static void set_target_aside(void)
 {
     aside_mm = closing_place_mm;
     since_aside_cs = since_cs;
 }
 
+/*@ assigns since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
+            clears, smooth_2mmps;
+    ensures target_is_valid; */
 void target_init(void)
 {
     closing_place_mm = 0;
@@ -49,6 +60,9 @@ void target_init(void)
     clears = 0;
 }
 
+/*@ requires time_cs <= LONG_AGO_CS && elapsed_cs <= LONG_AGO_CS;
+    assigns \nothing;
+    ensures \result == \min(time_cs + elapsed_cs, LONG_AGO_CS); */
 static uint8_t later_cs(uint8_t time_cs, uint8_t elapsed_cs)
 {
     time_cs += elapsed_cs;
@@ -59,6 +73,7 @@ static uint8_t later_cs(uint8_t time_cs, uint8_t elapsed_cs)
 #define HIGH(speed)                                                                                \
     ((uint8_t)((uint8_t)(speed.closing_mmps >> 8) | (uint8_t)(speed.opening_mmps >> 8)))
 
+/*@ assigns \nothing; */
 static bool may_not_rest(void)
 {
     uint8_t least = (uint8_t)(closing_span_cs >> 2) + TARGET_STUCK;
@@ -69,6 +84,9 @@ static bool may_not_rest(void)
     return HIGH(closing_smooth) >= TARGET_STUCK_SMOOTH;
 }
 
+/*@ requires target_is_valid;
+    assigns since_cs, since_aside_cs, was_clear, is_clear, is_moving, stuck_readings, smooth_2mmps;
+    ensures target_is_valid; */
 void target_expect(uint8_t elapsed_cs)
 {
     if (elapsed_cs < CLOSING_SPAN_MIN_CS) {
@@ -98,6 +116,8 @@ void target_expect(uint8_t elapsed_cs)
 }
 
 /* Whether wheels can bring a target from that place to the echo in 0..LONG_AGO_CS. */
+/*@ requires time_cs <= LONG_AGO_CS;
+    assigns \nothing; */
 static bool can_reach(uint16_t place_mm, uint8_t time_cs)
 {
     uint16_t nearer_mm = (uint16_t)(mul_u8(time_cs, TARGET_NEARER_MM_PER_CS / 2U) << 1);
@@ -107,6 +127,13 @@ static bool can_reach(uint16_t place_mm, uint8_t time_cs)
 }
 
 /* What the echo makes of the target; TARGET_NONE: it is neither the target's nor another one's. */
+/*@ requires target_is_valid;
+    assigns closing_place_mm, since_cs;
+    ensures target_is_valid;
+    ensures target_is_worth(\result);
+    ensures \result == TARGET_TRACKED ==> target_worth >= TARGET_NEW;
+    ensures \result == TARGET_GLIMPSE || \result == TARGET_ENTERED ==>
+                target_worth == TARGET_NONE; */
 static uint8_t judge(void)
 {
     uint16_t gate_mm = (uint16_t)(mul_u8(since_cs, TARGET_GATE_MM_PER_CS) + TARGET_GATE_MM);
@@ -154,6 +181,11 @@ static uint8_t judge(void)
 
 /* A reading that stays the same though the target moves is stuck; a stuck target that moves on is
  * another one. */
+/*@ requires target_is_valid;
+    assigns stuck_readings, target_worth;
+    ensures target_is_valid;
+    ensures \result <==> stuck_readings != 0;
+    ensures \result ==> echo_mm == closing_place_mm; */
 static bool is_stuck(void)
 {
     if (echo_mm != closing_place_mm) {
@@ -169,6 +201,11 @@ static bool is_stuck(void)
     return stuck_readings != 0;
 }
 
+/*@ requires target_is_valid;
+    assigns echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, clears, rate,
+            nearer_mm, smooth_mm, smooth_2mmps;
+    ensures target_is_valid;
+    ensures \result == BRAKE_FAULT_NONE ==> closing_place_mm == dist_mm && since_cs == 0; */
 uint8_t target_echo(uint16_t dist_mm)
 {
     uint8_t worth;
@@ -205,6 +242,9 @@ uint8_t target_echo(uint16_t dist_mm)
     return BRAKE_FAULT_NONE;
 }
 
+/*@ requires target_is_valid;
+    assigns is_clear, was_near, clears, aside_mm, since_aside_cs, stuck_readings, smooth_2mmps;
+    ensures target_is_valid; */
 uint8_t target_clear(void)
 {
     uint8_t clears_to_end = TARGET_GLIMPSE_CLEARS;

@@ -29,6 +29,7 @@
 #include <stdint.h>
 #include "cc51.h"
 #include "closing.h"
+#include "fault.h"
 #include "range.h"
 
 /* What a target's last reading is worth. */
@@ -73,18 +74,31 @@ enum target_worth {
 #define TARGET_STUCK_SMOOTH  4U
 #define TARGET_REST_READINGS RANGE_READINGS(300U)
 
+/*@ predicate target_is_worth(integer worth) = TARGET_NONE <= worth <= TARGET_TRACKED; */
 extern uint8_t target_worth; /* enum target_worth; the place is closing_place_mm */
 
+/*@ assigns target_worth, closing_place_mm, closing_difference, closing_smooth;
+    ensures target_worth == TARGET_NONE; */
 void target_init(void);
 
 /* A measurement is under way: elapsed_cs is the time from the last trigger to this one. Once each,
  * whatever comes of it. Up to 600 mc. */
+/*@ assigns target_worth, closing_foreseen_mm, closing_difference, closing_smooth;
+    ensures target_worth == \old(target_worth) || target_worth == TARGET_NONE; */
 void target_expect(uint8_t elapsed_cs);
 
 /* It came: an echo, 0..RANGE_MAX_MM, or a clear road. BRAKE_FAULT_NONE if it is believed,
  * else why not (fault.h). After an echo that is believed the speeds of closing.h are up to date,
  * but for the one estimator that closing.h lets wait. Up to 350 mc. */
+/*@ assigns target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth;
+    ensures \result == BRAKE_FAULT_NONE || \result == BRAKE_FAULT_STUCK ||
+            \result == BRAKE_FAULT_JUMP;
+    ensures \result == BRAKE_FAULT_NONE ==> target_worth != TARGET_NONE; */
 uint8_t target_echo(uint16_t dist_mm);
+/*@ assigns target_worth, closing_difference, closing_smooth;
+    ensures \result == BRAKE_FAULT_NONE || \result == BRAKE_FAULT_LOST;
+    ensures target_worth == \old(target_worth) || target_worth == TARGET_NONE;
+    ensures \result == BRAKE_FAULT_LOST ==> target_worth == \old(target_worth); */
 uint8_t target_clear(void);
 
 #endif

@@ -20,9 +20,12 @@
 #define WARNING_PCT           60U
 #define WARNING_CALM_READINGS RANGE_READINGS(50U)
 
+/*@ assigns \nothing; */
 void warning_init(void);
 
 /* Once a reading; asks target_worth. Returns whether the warning is on. */
+/*@ assigns \nothing;
+    ensures has_reason ==> \result; */
 bool warning_take(bool has_reason);
 
 #endif

@@ -25,14 +25,14 @@ run() { # UNIT OPTION...
     local unit=$1 name=${1#*_} folder
     shift
     folder=$(sed -n 's/.*controller: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
-    frama-c -machdep x86_16 -cpp-extra-args="-Itests/prove -I$out/${folder:-$name} -Ifirmware -Ifirmware/lib -Ifirmware/frames -Ifirmware/mcu \
+    frama-c -machdep x86_16 -kernel-warn-key annot:missing-spec=abort -cpp-extra-args="-Itests/prove -I$out/${folder:-$name} -Ifirmware -Ifirmware/lib -Ifirmware/frames -Ifirmware/mcu \
         -Ifirmware/${folder:-$name} -DFAULT_PCT=60 -DCLK_HZ=12000000UL -I$(frama-c -print-share-path)/libc" "$@" "tests/prove/$unit.c" >"$out/$unit.log" 2>&1
 }
 
 by_wp() { # UNIT
     local unit=$1 label words goals proved functions
     # A unit that says "functions: NAMES" is proved for these functions only.
-    functions=$(sed -n 's/.*functions: \([a-z_,]*\).*/\1/p' "tests/prove/$unit.c")
+    functions=$(sed -n 's/.*functions: \([a-z0-9_,]*\).*/\1/p' "tests/prove/$unit.c")
     if ! run "$unit" -wp ${functions:+"-wp-fct=$functions"} -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-60}" -wp-par 2; then
         say "$unit" 1 "frama-c failed; see $out/$unit.log"
         return

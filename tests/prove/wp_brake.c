@@ -1,125 +1,159 @@
 /* SPDX-License-Identifier: MIT */
-/* functions: fault_take,fault_tick,fault_fail,far_column,column_of,latch_take,latch_override,settle,raise,demand_fault,brake_tick
+/* functions: fault_init,fault_take,fault_tick,fault_fail,latch_init,far_column,column_of,latch_take,latch_override,warning_init,warning_take,settle,raise,demand_fault,brake_init,brake_fail,brake_must_stop,demand,demand_nothing,demand_for_target,find_trouble,brake_expect,brake_step,is_urgent,brake_finish,brake_tick,begin,fail,expect,read,tick,count
  *
- * The brake's decision: its state machines, from any state that can be.
+ * The brake's decision, its state machines and what may happen to them in any order: begin, then expect, read, tick
+ * and fail for ever. The variables below count what has happened so far. `counted` says how the state of the
+ * firmware follows from it; each of the five functions keeps it, so it holds for ever.
  *
- * theorem t1_echo: after an echo of BRAKE_STOP_MM or less the latch is not OPEN
- * theorem t1_pins: while the latch is not OPEN, or an echo is that near, and nobody overrides: STOP pin and 100 %
- * theorem t3_silence: FAULT_SILENCE_CS without a believed reading end GOOD, with at least FAULT_PCT
- * theorem t4_ends: without override STOP ends only at an echo beyond LATCH_NEAR_MM or at a clear reading
- * theorem t4_held: HELD becomes OPEN only on a road clear for 2 s or for another target
+ * theorem t1_echo: an echo of BRAKE_STOP_MM or less gives STOP and 100 % in that step, unless the driver overrides
+ * theorem t2_holds: a missing or disbelieved reading never lowers the brake
+ * theorem t2_ends: but that it can end a STOP that was in doubt, or one with a road clear for 2 s
+ * theorem t3_silence: more than 180 ms without a believed reading are FAULT, with at least FAULT_PCT
+ * theorem t4_ends: a reading ends STOP only by the arrows into OPEN of latch.h
+ * theorem t4_only: nothing but a reading and the override ends STOP
  * theorem t5_duty: the brake is 0 to 100 %
  * theorem t6_leaves: FAULT ends only with the third believed reading in a row
- * theorem t6_lasting: a lasting fault never ends
+ * theorem t6_lasting: after a failed test FAULT never ends
  * theorem t7_no_dead_state: the third believed reading in a row ends every other FAULT
- * theorem t8_override: the override acts after 100 ticks held, and ends in the first tick not held
+ * theorem t7_road: a road clear for 2 s ends every STOP
+ * theorem t7_opening: a gap that opens ends every STOP, at the second reading at the latest
+ * theorem t7_passed: another target, tracked beyond LATCH_NEAR_MM for 1 s, ends every STOP
+ * theorem t8_override: the override acts from the 100th tick held in a row, and not one tick longer than held
  */
 #include "bits.h"
-#include "latch.h"
-#include "target.h"
-#include "brake.h"
-
+#include "range.c"
+#include "fixed.c"
+#include "closing.c"
+#include "target.c"
 #include "fault.c"
-
-/*@ requires fault_state <= FAULT_LASTING && good_readings < FAULT_GOOD_READINGS &&
-             silence_cs <= FAULT_SILENCE_CS;
-    assigns fault_state, fault_code, silence_cs, good_readings;
-    ensures fault_state <= FAULT_LASTING;
-    ensures t6_leaves: \old(fault_state) == FAULT_ON && fault_state == FAULT_GOOD ==>
-                trouble == BRAKE_FAULT_NONE && \old(good_readings) == FAULT_GOOD_READINGS - 1;
-    ensures t6_lasting: \old(fault_state) == FAULT_LASTING ==> fault_state == FAULT_LASTING;
-    ensures t7_no_dead_state: trouble == BRAKE_FAULT_NONE && \old(fault_state) == FAULT_ON ==>
-                (\old(good_readings) == FAULT_GOOD_READINGS - 1
-                     ? fault_state == FAULT_GOOD
-                     : fault_state == FAULT_ON && good_readings == \old(good_readings) + 1); */
-void fault_take(uint8_t trouble);
-
-/*@ requires fault_state <= FAULT_LASTING && silence_cs <= FAULT_SILENCE_CS;
-    assigns fault_state, silence_cs, good_readings;
-    ensures \result <==> \old(fault_state) == FAULT_GOOD && fault_state == FAULT_ON;
-    ensures silence_cs <= FAULT_SILENCE_CS;
-    ensures t3_silence: \old(silence_cs) == FAULT_SILENCE_CS && \old(fault_state) == FAULT_GOOD
-                ==> fault_state == FAULT_ON;
-    ensures t6_lasting: \old(fault_state) == FAULT_LASTING ==> fault_state == FAULT_LASTING; */
-bool fault_tick(void);
-
-/*@ assigns fault_state, fault_code;
-    ensures t6_lasting: fault_state == FAULT_LASTING; */
-bool fault_fail(uint8_t code);
-
+#include "warning.c"
 #include "latch.c"
-
-/*@ predicate latch_is_valid =
-        clear_readings <= LATCH_ROAD_READINGS && elsewhere_readings <= LATCH_PASSED_READINGS; */
-
-/*@ requires latch_is_valid;
-    assigns elsewhere_readings;
-    ensures latch_is_valid;
-    ensures \result == OPENING || \result == BEYOND || \result == BEYOND_TRACKED ||
-            (\result == PASSED && elsewhere_readings == LATCH_PASSED_READINGS); */
-static uint8_t far_column(bool is_of_target);
-
-/*@ requires latch_is_valid;
-    assigns clear_readings, elsewhere_readings;
-    ensures latch_is_valid;
-    ensures \result < COLUMNS;
-    ensures range_reading.kind == RANGE_ECHO && range_reading.dist_mm <= BRAKE_STOP_MM ==>
-                \result == WITHIN || \result == WITHIN_TRACKED;
-    ensures \result == WITHIN || \result == WITHIN_TRACKED || \result == NEAR ==>
-                range_reading.kind == RANGE_ECHO && range_reading.dist_mm <= LATCH_NEAR_MM;
-    ensures OPENING <= \result <= PASSED ==>
-                range_reading.kind == RANGE_ECHO && range_reading.dist_mm > LATCH_NEAR_MM;
-    ensures \result == CLEAR || \result == ROAD ==> range_reading.kind == RANGE_NO_TARGET;
-    ensures \result == ROAD ==> clear_readings == LATCH_ROAD_READINGS;
-    ensures \result == PASSED ==> elsewhere_readings == LATCH_PASSED_READINGS; */
-static uint8_t column_of(bool is_of_target);
-
-/*@ requires latch_is_valid;
-    assigns latch_state, clear_readings, elsewhere_readings;
-    ensures latch_is_valid;
-    ensures latch_state < LATCH_STATES;
-    ensures t1_echo: range_reading.kind == RANGE_ECHO && range_reading.dist_mm <= BRAKE_STOP_MM
-                ==> latch_state != LATCH_OPEN;
-    ensures t4_ends: \old(latch_state) != LATCH_OPEN && latch_state == LATCH_OPEN ==>
-                range_reading.kind == RANGE_NO_TARGET ||
-                (range_reading.kind == RANGE_ECHO && range_reading.dist_mm > LATCH_NEAR_MM);
-    ensures t4_held: \old(latch_state) == LATCH_HELD && latch_state == LATCH_OPEN ==>
-                clear_readings == LATCH_ROAD_READINGS ||
-                elsewhere_readings == LATCH_PASSED_READINGS; */
-void latch_take(bool is_of_target);
-
-/*@ assigns latch_state;
-    ensures latch_state == LATCH_OPEN; */
-void latch_override(void);
-
 #include "brake.c"
 
-/*@ requires demand_pct <= 100;
-    assigns brake.brake_pct, brake.stop, brake.state;
-    ensures t1_pins: (is_within || latch_state != LATCH_OPEN) && !brake.overridden ==>
+static uint16_t silent_ticks;   /* since the last believed reading */
+static uint16_t held_ticks;     /* of the override, in a row */
+static uint16_t believed_run;   /* readings in a row */
+static uint16_t believed_fault; /* the same, since FAULT began */
+static uint16_t clear_run;      /* clear readings in a row that the latch saw */
+
+/*@ predicate counted =
+        brake_is_valid && brake_is_settled && !is_within &&
+        silence_cs == \min(silent_ticks, FAULT_SILENCE_CS) &&
+        (silent_ticks > FAULT_SILENCE_CS ==> fault_state != FAULT_GOOD) &&
+        override_cs == \min(held_ticks, BRAKE_OVERRIDE_CS) &&
+        (fault_state == FAULT_ON ==> good_readings == believed_fault) &&
+        believed_fault <= believed_run &&
+        clear_readings == \min(clear_run, LATCH_ROAD_READINGS); */
+
+/*@ requires \valid(counter);
+    assigns *counter;
+    ensures *counter == \min(\old(*counter) + 1, 65535); */
+static void count(uint16_t *counter)
+{
+    if (*counter < UINT16_MAX) {
+        (*counter)++;
+    }
+}
+
+/*@ requires fault <= BRAKE_FAULT_IDLE;
+    ensures counted; */
+void begin(uint8_t fault)
+{
+    brake_init(fault);
+    silent_ticks = 0;
+    held_ticks = 0;
+    believed_run = 0;
+    believed_fault = 0;
+    clear_run = 0;
+}
+
+/*@ requires counted && BRAKE_FAULT_TABLE <= fault <= BRAKE_FAULT_IDLE;
+    ensures counted;
+    ensures t2_holds: FAULT_PCT > 0 ==> brake.brake_pct >= \old(brake.brake_pct);
+    ensures t4_only: brake.stop == \old(brake.stop);
+    ensures t6_lasting: fault_state == FAULT_LASTING; */
+void fail(uint8_t fault)
+{
+    brake_fail(fault);
+}
+
+/*@ requires counted;
+    ensures counted;
+    ensures t2_holds: brake.brake_pct == \old(brake.brake_pct);
+    ensures t4_only: brake.stop == \old(brake.stop);
+    ensures t6_lasting: fault_state == \old(fault_state); */
+void expect(uint8_t elapsed_cs)
+{
+    brake_expect(elapsed_cs);
+}
+
+/*@ requires counted && kind <= RANGE_DEAD_ZONE;
+    ensures counted;
+    ensures t1_echo: kind == RANGE_ECHO && dist_mm <= BRAKE_STOP_MM && !brake.overridden ==>
                 brake.stop && brake.brake_pct == 100;
+    ensures t2_ends: !is_believed || (kind == RANGE_NO_TARGET && target_worth != TARGET_NONE) ==>
+                brake.brake_pct >= \old(brake.brake_pct) || \old(latch_state) == LATCH_DOUBTED ||
+                clear_run >= LATCH_ROAD_READINGS;
+    ensures t3_silence: silent_ticks > FAULT_SILENCE_CS ==> brake.state == BRAKE_FAULT &&
+                (!brake.overridden ==> brake.brake_pct >= FAULT_PCT);
+    ensures t4_ends: \old(brake.stop) && !brake.stop && kind == RANGE_ECHO ==>
+                dist_mm > LATCH_NEAR_MM;
+    ensures t4_ends: \old(brake.stop) && !brake.stop && \old(latch_state) == LATCH_HELD ==>
+                clear_run >= LATCH_ROAD_READINGS || latch_sees_passed(is_believed);
     ensures t5_duty: brake.brake_pct <= 100;
-    ensures brake.overridden ==> !brake.stop && brake.brake_pct == 0; */
-static void settle(void);
+    ensures t6_leaves: \old(fault_state) == FAULT_ON && fault_state == FAULT_GOOD ==>
+                believed_run >= FAULT_GOOD_READINGS;
+    ensures t6_lasting: \old(fault_state) == FAULT_LASTING ==> fault_state == FAULT_LASTING;
+    ensures t7_no_dead_state: \old(fault_state) == FAULT_ON &&
+                believed_fault >= FAULT_GOOD_READINGS ==> fault_state == FAULT_GOOD;
+    ensures t7_road: clear_run >= LATCH_ROAD_READINGS ==> !brake.stop || brake.overridden;
+    ensures t7_opening: latch_sees_opening(is_believed) && !brake.overridden ==>
+                !brake.stop || (\old(latch_state) != LATCH_OPENING && latch_state == LATCH_OPENING);
+    ensures t7_passed: latch_sees_passed(is_believed) && !brake.overridden ==> !brake.stop; */
+void read(uint8_t kind, uint16_t dist_mm)
+{
+    brake_step(kind, dist_mm);
+    if (is_believed) {
+        silent_ticks = 0;
+        count(&believed_run);
+        count(&believed_fault);
+    } else {
+        believed_run = 0;
+        believed_fault = 0;
+    }
+    if (!brake.overridden) {
+        if (kind == RANGE_NO_TARGET) {
+            count(&clear_run);
+        } else {
+            clear_run = 0;
+        }
+    }
+    brake_finish();
+}
 
-/*@ assigns demand_pct;
-    ensures demand_pct == \max(\old(demand_pct), least_pct); */
-static void raise(uint8_t least_pct);
+/*@ requires counted;
+    ensures counted;
+    ensures t2_holds: FAULT_PCT > 0 && !\old(brake.overridden) && !brake.overridden ==>
+                brake.brake_pct >= \old(brake.brake_pct);
+    ensures t3_silence: silent_ticks > FAULT_SILENCE_CS ==> brake.state == BRAKE_FAULT &&
+                (!brake.overridden ==> brake.brake_pct >= FAULT_PCT);
+    ensures t4_only: \old(brake.stop) && !brake.stop ==> brake.overridden;
+    ensures t5_duty: brake.brake_pct <= 100;
+    ensures t6_leaves: fault_state == \old(fault_state) || fault_state == FAULT_ON;
+    ensures t6_lasting: \old(fault_state) == FAULT_LASTING ==> fault_state == FAULT_LASTING;
+    ensures t8_override: brake.overridden <==> held_ticks >= BRAKE_OVERRIDE_CS; */
+void tick(bool override_held)
+{
+    uint8_t state = fault_state;
 
-/*@ requires demand_pct <= 100;
-    assigns demand_pct;
-    ensures t5_duty: demand_pct <= 100;
-    ensures demand_pct >= FAULT_PCT; */
-static void demand_fault(void);
-
-/*@ requires demand_pct <= 100 && override_cs <= BRAKE_OVERRIDE_CS;
-    requires fault_state <= FAULT_LASTING && silence_cs <= FAULT_SILENCE_CS;
-    assigns override_cs, demand_pct, latch_state, brake.overridden, brake.brake_pct, brake.stop,
-            brake.state, fault_state, silence_cs, good_readings;
-    ensures t5_duty: brake.brake_pct <= 100 && demand_pct <= 100;
-    ensures t3_silence: \old(silence_cs) == FAULT_SILENCE_CS && \old(fault_state) == FAULT_GOOD
-                ==> fault_state == FAULT_ON && demand_pct >= FAULT_PCT;
-    ensures t8_override: override_cs ==
-                (override_held ? \min(\old(override_cs) + 1, BRAKE_OVERRIDE_CS) : 0);
-    ensures t8_override: brake.overridden <==> override_cs == BRAKE_OVERRIDE_CS; */
-void brake_tick(bool override_held);
+    brake_tick(override_held);
+    count(&silent_ticks);
+    if (override_held) {
+        count(&held_ticks);
+    } else {
+        held_ticks = 0;
+    }
+    if (state == FAULT_GOOD && fault_state == FAULT_ON) {
+        believed_fault = 0;
+    }
+}
