@@ -18,9 +18,13 @@ if [ -n "$scenario" ]; then
     exec build/drive run --hex "$image" --board "$board" --scenario "$scenario" $live
 fi
 mkdir -p build/sim
-uart=build/sim/uart
+uart=build/sim/uart keys=build/sim/keys
 : >"$uart"
+[ -p "$keys" ] || mkfifo "$keys"
+# Opened for both directions the keys neither block nor end.
+exec 3<>"$keys"
 echo "$image in uCsim's console: run, stop, step, state, info registers, help; quit ends it."
-echo "The UART writes to $uart. The echo is low, as without a target: set bit pin3.2 1 raises it."
-exec tools/s51 -t "$(of_board S51_TYPE)" -X "$(of_board CLK_HZ)" -R 1 -S "uart=0,out=$uart" \
+echo "The UART writes to $uart. In another terminal: tail -f $uart; printf v >$keys sends it a v."
+echo "The echo is low, as without a target: set bit pin3.2 1 raises it."
+exec tools/s51 -t "$(of_board S51_TYPE)" -X "$(of_board CLK_HZ)" -R 1 -S "uart=0,in=$keys,out=$uart" \
     -e 'set bit pin3.2 0' "$image"

@@ -15,7 +15,13 @@ work=build/bench/firmware
 FRAMES=80
 mkdir -p "$work"
 
-apps() { basename -s .ihx "build/$1"/*.ihx; } # BOARD
+# Those with a control step.
+apps() { # BOARD
+    local modules
+    for modules in "build/$1"/*/{brake/brake,frames/frames}.rel; do
+        basename "${modules%/*/*}"
+    done | sort
+}
 is_brake() { [ -e "build/$1/$2/brake/main.rel" ]; }      # BOARD APP
 
 # --- measuring: of each controller a file of "name value" lines ------------------------------------

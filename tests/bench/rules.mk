@@ -17,7 +17,8 @@ $(foreach image,$(ALL_IMAGES),$(eval $(call bench_rules,$(image))))
 endif
 
 # The payloads as frames, as the chip's UART gets them.
-BENCH_LINES := $(patsubst %,build/bench/line_%,$(filter-out brake,$(CONTROLLERS)))
+BENCH_LINES := $(patsubst tests/bench/%.c,build/bench/line_%,$(wildcard $(CONTROLLERS:%=tests/bench/%.c)))
+BENCH_LINES := $(filter-out build/bench/line_brake,$(BENCH_LINES))
 $(BENCH_LINES): build/bench/line_%: tests/bench/line.c tests/bench/%.c tests/bench/step.h tools/drive/plant/head.c tools/drive/plant/random.c | all
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) -std=c11 -D_GNU_SOURCE -Itools/common $(DRIVE_ROOMS) -Ibuild $(patsubst %,-Ifirmware/%,lib frames mcu $*) \

@@ -29,9 +29,10 @@ at_most() { # VALUE LIMIT
 }
 
 # Edges are measured to the cycle, and uCsim 0.8.15 loses one with each interrupt: 5,001 where 0.6.4 has 5,000.
+# Then our own simulator measures.
 if ! build/drive canary | grep -qF "comes every 5000.00 us"; then
-    say "not_measured_with_a_simulator_that_loses_cycles" 0
-    finish
+    make -s build/tests/fast_pins || exit 2
+    export ENGINE=fast
 fi
 for board in at89s52 generic8052 stc89c516rd; do
     run "$board"

@@ -6,11 +6,14 @@
 # What is compared of an image: all but the machine and the main loop.
 steps_modules = $(filter-out mcu/% %/main frames/frames,$($(1)_MODULES))
 
+# The images with a decision of their own.
+STEPS_IMAGES := $(foreach image,$(ALL_IMAGES),$(if $(filter $(call controller_of,$(image))/%,$(call steps_modules,$(image))),$(image)))
+
 ifneq ($(BOARD),)
 STEPS_OUT := build/compiler/$(BOARD)
 STEPS_SIM := $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) $(COMMON_SRC))
 
-compiler-images: $(ALL_IMAGES:%=$(STEPS_OUT)/%/steps.ihx) $(ALL_IMAGES:%=$(STEPS_OUT)/%/steps)
+compiler-images: $(STEPS_IMAGES:%=$(STEPS_OUT)/%/steps.ihx) $(STEPS_IMAGES:%=$(STEPS_OUT)/%/steps)
 define steps_rules
 $(STEPS_OUT)/$(1)/%.rel: tests/compiler/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
 	@mkdir -p $$(@D)
@@ -30,7 +33,7 @@ $(STEPS_OUT)/$(1)/steps: $(patsubst %,$(STEPS_OUT)/$(1)/tests/compiler/%.o,host 
 endef
 # SDCC's flags, but for those of the compiler itself.
 SDCC_HOST_FLAGS = $(filter -D%,$(SDCC_FLAGS))
-$(foreach image,$(ALL_IMAGES),$(eval $(call steps_rules,$(image))))
+$(foreach image,$(STEPS_IMAGES),$(eval $(call steps_rules,$(image))))
 -include $(wildcard $(STEPS_OUT)/*/*.d $(STEPS_OUT)/*/*/*/*.d)
 endif
 
@@ -41,5 +44,5 @@ compiler-build: tools firmware
 compiler-build-all: tools firmware
 	@for board in $(or $(BOARD),$(BOARDS)); do $(MAKE) BOARD=$$board compiler-images; done
 
-STEPS_SUITES      := $(ALL_IMAGES:%='tests/compiler/run.sh $(or $(BOARD),$(DEFAULT_BOARD)) % 50000') tests/compiler/test_finds.sh
-STEPS_LONG_SUITES := $(foreach board,$(or $(BOARD),$(BOARDS)),$(ALL_IMAGES:%='tests/compiler/run.sh $(board) % 1000000'))
+STEPS_SUITES      := $(STEPS_IMAGES:%='tests/compiler/run.sh $(or $(BOARD),$(DEFAULT_BOARD)) % 50000') tests/compiler/test_finds.sh
+STEPS_LONG_SUITES := $(foreach board,$(or $(BOARD),$(BOARDS)),$(STEPS_IMAGES:%='tests/compiler/run.sh $(board) % 1000000'))

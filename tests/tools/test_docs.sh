@@ -89,8 +89,8 @@ faultless "options exist" "$(wrong_options)"
 wrong_make() {
     local place text words word
     while IFS=$'\t' read -r place text; do
+        [ "${text%% *}" = make ] || continue
         eval "words=($text)" # as a shell takes it apart, with quotes
-        [ "${words[0]:-}" = make ] || continue
         for word in "${words[@]:1}"; do
             case $word in
             -*) ;;
@@ -238,7 +238,7 @@ read -ra kinds < <(grep -oE '\{"[a-z0-9]+"' tools/fistab/mf.c | tr -d '{"' | xar
 read -ra faults < <(grep -rohE 'choices = "[a-z ]*(garbage|corrupt)[a-z ]*"' tools/drive --include='*.c' | sed 's/.*= //' | tr -d '"' | xargs)
 [ ${#images[@]} -ge 5 ] && [ ${#kinds[@]} -ge 15 ] && [ ${#faults[@]} -ge 17 ]
 say "the names to look for" $? "${images[*]}, ${kinds[*]}, ${faults[*]}"
-faultless "every image is described" "$(unnamed "docs/brake.md docs/controllers.md" "${images[@]}")"
+faultless "every image is described" "$(unnamed "docs/brake.md docs/controllers.md docs/wiring.md" "${images[@]}")"
 faultless "every membership function is named" "$(unnamed docs/fistab.md "${kinds[@]}")"
 faultless "every fault of a scenario is named" "$(unnamed docs/drive.md "${faults[@]}")"
 
