@@ -3,7 +3,8 @@
 # Each source file names the licence in its first lines, by the LICENSE file's SPDX identifier.
 #     tools/spdx.sh            adds the line where it is missing (`make format` calls this)
 #     tools/spdx.sh --check    names the files that lack it; exit status 1 if there are any
-# Left as they are: inputs of tests, whose bytes or line numbers matter, and formats without comments.
+# Left as they are: inputs of tests, whose bytes or line numbers matter, GitHub's templates, whose text is
+# filled in, and formats without comments.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 read -r name _ <LICENSE
@@ -16,9 +17,11 @@ comment_for() { # FILE: the line in that file's comment style; nothing for other
     tests/golden/*.fis) ;;
     *.c | *.h | *.css) echo "/* $line */" ;;
     *.js) echo "// $line" ;;
-    *.html) echo "<!-- $line -->" ;;
+    .github/*) ;;
+    *.html | *.md) echo "<!-- $line -->" ;;
     *.fis | *.m) echo "% $line" ;;
-    *.sh | *.mk | *Makefile | *.awk | *.jq | *.gp | *.conf) echo "# $line" ;;
+    *.scn) echo "; $line" ;;
+    *.sh | *.mk | *Makefile | *.awk | *.jq | *.gp | *.conf | *.tab | *.dict | .clang-format | .editorconfig | .gitignore | .shellcheckrc) echo "# $line" ;;
     *) ! head -n 1 "$1" | grep -aq '^#!' || echo "# $line" ;;
     esac
 }

@@ -211,6 +211,8 @@ status=$?
 [ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
 wrong="$wrong$(for id in brake radar gap follow park; do grep -q "{\"id\":\"$id\"" "$out/report/index.html" || echo " no tab $id"; done)"
 faultless a_tab_for_each_controller "$wrong"
+faultless each_image_says_who_it_is "$(jq -r '.images[] | select(.who | test("^fuzzy51 [0-9.]+ [a-z/]+ stc89c516rd [0-9]+ Hz table=0x[0-9A-F]+$") | not) | .id + ": " + .who' \
+    "$out"/report/parts/{brake,radar,gap,follow,park}.json 2>&1)"
 for width in 1280 375; do
     faultless "page_works_at_${width}_px" "$(page_fault $width)"
 done

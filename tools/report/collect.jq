@@ -61,7 +61,7 @@ def trace($columns): .series as $series | ($series.t_s // [] | length) as $count
       end;
 
 # Of a run that is not listed the page shows no more than the values.
-def digest($columns; $keys; $listed): {values: (.outcome | with_entries(select(.key as $key | $keys | index([$key])) | select(.value | type == "number") | .value |= rounded(4)))}
+def digest($columns; $keys; $listed): {who: (.image // ""), values: (.outcome | with_entries(select(.key as $key | $keys | index([$key])) | select(.value | type == "number") | .value |= rounded(4)))}
     + if $listed then {expect: [.expect[] | {text: .expected, value, met: .holds}], trace: trace($columns)} else {} end;
 
 def file($name): $texts[0][$name] // "";
@@ -115,6 +115,7 @@ columns as $columns | groups as $groups | built_images as $images
 | [$tasks | split("\n")[] | split("\t") | select(.[0] == $id) | {image: .[1], scenario: .[2], key: .[3], file: .[5]}] as $mine
 | ([$mine[] | select(.scenario | group_of($groups).listed) | {key: "\($runs)/\(.key)/result.json", value: true}] | from_entries) as $listed
 | (reduce inputs as $result ({}; .[input_filename] = ($result | digest($columns; $keys; $listed[input_filename])))) as $results
+| ([$mine[] | {key: .image, value: $results["\($runs)/\(.key)/result.json"].who} | select(.value)] | from_entries) as $who
 | ([$mine[] | {key: "\(.image)/\(.scenario)", value: run(.; $results; .scenario | group_of($groups).listed)}] | from_entries) as $runs
 | number_words($columns; $runs) as $numbered
 | (reduce $mine[] as $task ({}; if has($task.scenario) then . else .[$task.scenario] = (file($task.file) | scenario($task.scenario)) end)) as $scenarios
@@ -123,7 +124,7 @@ columns as $columns | groups as $groups | built_images as $images
 | ([images[] | select(.id as $image | $images | map(.id) | index([$image]) | not) | .name]) as $missing
 | {id: $id, title: first_of("title"), first: first_of("first"),
    about: (entries("about") + if $missing != [] then ["Not run, so not here: \($missing | join(", "))."] else [] end),
-   images: $images, columns: $numbered.columns, panels: panels, measures: measures, tiles: tiles,
+   images: [$images[] | . + {who: ($who[.id] // "")}], columns: $numbered.columns, panels: panels, measures: measures, tiles: tiles,
    groups: [($groups + [{id: "", title: "Scenarios", listed: true}])[] | .id as $group
        | . + {scenarios: [$order[] | select(group_of($groups).id == $group)]} | select(.id != "" or .scenarios != [])],
    scenarios: $scenarios, figures: figures($images; $ran), scene: scene, runs: $numbered.runs}

@@ -62,7 +62,7 @@ function tileValue(tab, image, tile) {
 function tiles(tab) {
     return make("div", { class: "tiles" }, ...tab.images.map((image) =>
         make("section", { class: "tile", style: `--series:${seriesColour(tab, image.id)}` },
-            make("h3", {}, image.name),
+            make("h3", {}, image.name), make("p", { class: "who" }, image.who),
             make("dl", {}, ...tab.tiles.flatMap((tile) =>
                 [make("dt", {}, tile.name), make("dd", {}, tileValue(tab, image.id, tile))])))));
 }
