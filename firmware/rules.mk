@@ -70,7 +70,7 @@ $(OUT)/%.hex: $(OUT)/%.ihx
 	@tools/memory.sh $(BOARD) $* $(OUT)
 
 # The stamp changes when a knob does, so that objects of other settings are never linked.
-SETTINGS = $(TABLE) $(BRAKE_KNOBS) $(BRAKE_FISTAB) $(BRAKE_CYCLES) $(subst ',,$(SDCC_FLAGS))
+SETTINGS = $(TABLE) $(BRAKE_KNOBS) $(foreach image,$(ALL_IMAGES),$($(image)_FISTAB)) $(BRAKE_CYCLES) $(subst ',,$(SDCC_FLAGS))
 $(OUT)/board.stamp: FORCE
 	@mkdir -p $(@D); echo '$(SETTINGS)' | cmp -s - $@ || echo '$(SETTINGS)' >$@
 

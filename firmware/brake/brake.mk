@@ -20,7 +20,9 @@ brake_FLAGS   := $(BRAKE_KNOBS)
 brake_MODULES := $(BRAKE_MODULES) brake/law_fuzzy brake/cell
 
 tuned_TABLE   := tables/brake_tuned.fis
-tuned_FISTAB   = --encoding=$(ENCODING)
+# Cells of 8 cm and 0.125 m/s drive as well as 100x100 ones and take 1,400 bytes less. cell.c finds both by bytes.
+TUNED_GRID    := 50x56
+tuned_FISTAB   = --encoding=$(ENCODING) --grid=$(TUNED_GRID)
 tuned_FLAGS   := -DESTIMATOR_smooth $(BRAKE_KNOBS)
 tuned_MODULES := $(BRAKE_MODULES) brake/law_tuned brake/cell brake/ease
 

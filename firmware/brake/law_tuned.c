@@ -21,22 +21,37 @@ static void look_up(uint16_t dist_mm, uint16_t closing_mmps)
     law_answer.brake_pct = cell_pct(law_answer.row, law_answer.col);
 }
 
-/* One reading ago, or two, the road was clear as far as the table goes, so the target came at least
- * this far: in 1/16 s, or 1/8 s, a little more than it was. */
-static void look_at_first_sight(uint8_t worth, uint16_t dist_mm)
+/* The least closing speed of a target that entered: the road was clear as far as the table goes, so
+ * the target has come at least `way_mm` since. 0: not known. */
+static uint16_t least_closing_mmps(uint8_t worth, uint16_t way_mm)
 {
-    uint16_t closing_mmps = (uint16_t)(LAW_FAR_MM - dist_mm);
+    if (worth == TARGET_ENTERED) { /* within one reading: 1/16 s */
+        return way_mm > LAW_TUNED_FIRST_MM ? 0 : (uint16_t)(way_mm << 4);
+    }
+    if (worth == TARGET_GLIMPSE || way_mm > LAW_TUNED_LATE_MM) {
+        return 0;
+    }
+    way_mm = (uint16_t)(way_mm << 1);
+    if (worth == TARGET_ENTERED_LATE) { /* within two readings: 1/8 s */
+        return (uint16_t)(way_mm << 2);
+    }
+    return (uint16_t)(way_mm + (uint16_t)(way_mm << 1)); /* within two to three: 1/6 s */
+}
 
-    if (worth == TARGET_GLIMPSE || closing_mmps > LAW_TUNED_FIRST_MM) {
-        return;
+/* A target whose own two readings do not tell its speed yet. */
+static void look_at_entered(uint8_t worth, uint16_t dist_mm)
+{
+    uint16_t closing_mmps = least_closing_mmps(worth, (uint16_t)(LAW_FAR_MM - dist_mm));
+
+    if (closing_mmps < CLOSING_LAW.closing_mmps) {
+        closing_mmps = CLOSING_LAW.closing_mmps;
     }
-    closing_mmps <<= 3;
-    if (worth == TARGET_ENTERED) {
-        closing_mmps <<= 1;
-    }
-    look_up(dist_mm, closing_mmps);
-    if (worth == TARGET_ENTERED && law_answer.brake_pct > LAW_TUNED_FIRST_PCT) {
-        law_answer.brake_pct = LAW_TUNED_FIRST_PCT;
+    law_answer.brake_pct = 0;
+    if (closing_mmps != 0) {
+        look_up(dist_mm, closing_mmps);
+        if (worth == TARGET_ENTERED && law_answer.brake_pct > LAW_TUNED_FIRST_PCT) {
+            law_answer.brake_pct = LAW_TUNED_FIRST_PCT;
+        }
     }
 }
 
@@ -44,14 +59,13 @@ void law_step(uint8_t worth, uint16_t dist_mm)
 {
     if (worth != TARGET_TRACKED) {
         ease_restart();
+        if (worth != TARGET_NEW) {
+            look_at_entered(worth, dist_mm);
+            return;
+        }
     }
-    if (worth >= TARGET_NEW) {
-        look_up(dist_mm, CLOSING_LAW.closing_mmps);
-        law_answer.brake_pct = ease_pct(law_answer.brake_pct, dist_mm);
-        return;
-    }
-    law_answer.brake_pct = 0;
-    look_at_first_sight(worth, dist_mm);
+    look_up(dist_mm, CLOSING_LAW.closing_mmps);
+    law_answer.brake_pct = ease_pct(law_answer.brake_pct, dist_mm);
 }
 
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)

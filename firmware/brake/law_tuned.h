@@ -6,6 +6,7 @@
 /* A target that shows up at most so far inside the table, right after a clear road, came driving:
  * its closing speed is at least what brought it here (up to 13 m/s). One further inside cut in. */
 #define LAW_TUNED_FIRST_MM 800U
+#define LAW_TUNED_LATE_MM  1600U /* the same where one reading more may have passed */
 
 /* One reading may be a stray one, so it brakes no harder than this: 25 m/s3 on a brake of 8 m/s2
  * with a lag of 0.2 s. */

@@ -77,8 +77,9 @@ static uint8_t later_cs(uint8_t time_cs, uint8_t elapsed_cs)
 static bool may_not_rest(void)
 {
     uint8_t least = (uint8_t)(closing_span_cs >> 2) + TARGET_STUCK;
+    uint8_t speed = HIGH(closing_difference);
 
-    if (HIGH(closing_difference) < least) {
+    if (speed < least || (speed >= TARGET_STUCK_NEW_MAX && target_worth != TARGET_TRACKED)) {
         return false;
     }
     return HIGH(closing_smooth) >= TARGET_STUCK_SMOOTH;
@@ -153,30 +154,21 @@ static uint8_t judge(void)
             return TARGET_NEW;
         }
     }
-    switch (target_worth) {
-    case TARGET_NONE:
-        if (was_clear) {
-            return TARGET_ENTERED;
-        }
-        return TARGET_GLIMPSE;
-    case TARGET_ENTERED:
+    if (target_worth == TARGET_NONE) {
+        return was_clear ? TARGET_ENTERED : TARGET_GLIMPSE;
+    }
+    if (target_worth < TARGET_NEW) {
         off_mm = closing_place_mm + TARGET_BEHIND_MM;
-        if (off_mm < echo_mm) {
+        if (off_mm < echo_mm && (was_clear || target_worth == TARGET_ENTERED)) {
             return TARGET_ENTERED_LATE;
         }
-        break;
-    case TARGET_NEW:
-        if (is_nearer) {
-            break;
-        }
-        return TARGET_NONE;
-    case TARGET_TRACKED:
+    } else if (target_worth == TARGET_TRACKED || !is_nearer) {
         return TARGET_NONE;
     }
-    if (can_reach(closing_place_mm, since_cs)) {
-        return TARGET_NEW;
+    if (!can_reach(closing_place_mm, since_cs)) {
+        return TARGET_NONE;
     }
-    return TARGET_NONE;
+    return was_clear && target_worth == TARGET_ENTERED ? TARGET_NEW_LATE : TARGET_NEW;
 }
 
 /* A reading that stays the same though the target moves is stuck; a stuck target that moves on is
@@ -229,7 +221,7 @@ uint8_t target_echo(uint16_t dist_mm)
         closing_take(echo_mm, since_cs);
         CLOSING_TAKE_FIRST();
         was_near = false;
-    } else if (worth == TARGET_NEW) {
+    } else if (worth >= TARGET_NEW) {
         closing_take_second(echo_mm, since_cs);
     } else {
         closing_restart();

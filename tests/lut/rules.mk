@@ -4,7 +4,7 @@ LUT_plain           := tables/brake.fis
 LUT_plain-repaired  := tables/brake.fis --repair=-1,+2
 LUT_packed          := tables/brake.fis --encoding=packed
 LUT_packed-repaired := tables/brake.fis --encoding=packed --repair=-1,+2
-LUT_packed-tuned    := tables/brake_tuned.fis --encoding=packed
+LUT_packed-tuned    := tables/brake_tuned.fis --encoding=packed --grid=$(TUNED_GRID)
 # Other paths of lut.c: one input, 256 cells along either axis, no rows alike at the start, many blocks.
 LUT_plain-one-input := tests/lut/one_input.fis
 LUT_plain-256       := tables/brake.fis --grid=40x256

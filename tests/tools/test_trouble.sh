@@ -1,27 +1,31 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # What stray, missing and coarse readings do to the brake, in thousands of drives in the laboratory: the
-# numbers that docs/brake.md states. And the first drives of `make attack`.
+# numbers that docs/brake.md states. And the drives of `make attack`.
 . tests/lib.sh
 make lab-images build/lab >"$out/make.log" 2>&1 || say "the laboratory builds" 1 "$(tail -n 3 "$out/make.log")"
-build/lab trouble build/lab-images/brake.so build/lab-images/tuned.so >"$out/figures"
+build/lab trouble build/lab-images/{first,brake,tuned}.so >"$out/figures"
 
-# IMAGE: what is over its limit.
+# IMAGE SAFE_MPS LIMITS: what is over its limit. Up to SAFE_MPS no stray reading leads to an impact. Above,
+# one before first sight leads to no more than without it, or than full braking at first sight has where
+# that reading is missing: one measurement hears one echo, so the car's own is lost.
 too_much() {
     awk -v image="build/lab-images/$1.so" -v safe="$2" -v missing="$3" '
-    /^build/ { here = $1 == image; next }
-    !here { next }
+    /^build/ { here = $1 == image; is_first = /first/; next }
     function most(what, value, limit) { n++; if (value > limit) print what ": " value " of at most " limit }
+    is_first && /a stray reading/ { least[$1] = $NF }
+    !here { next }
     /a stray reading/ {
-        if ($1 + 0 < safe + 0.05) { most($1 " m/s, a stray before first sight", $11, 0); most($1 " m/s, a stray later", $15, 0) }
+        if ($1 + 0 < safe + 0.05) { most($1 " m/s, a stray before first sight", $11, 0); most($1 " m/s, a stray later", $15 + 0, 0) }
+        else if (image ~ /tuned/) most($1 " m/s, a stray before first sight", $11, $6 > least[$1] ? $6 : least[$1])
     }
     /missing:/ { split(missing, limit, ","); most($1 " % missing", $4, limit[++shares]) }
     /end in FAULT/ { most($3 " mm, noise " $6 " cm: stops that end in FAULT", $8, 0); most($3 " mm, noise " $6 " cm: hangs not found", $(NF - 2), 6) }
     END { if (n < 21) print n " figures" }' "$out/figures"
 }
 faultless "strays, missing and coarse readings under the published table" "$(too_much brake 5.5 0,3,18)"
-faultless "strays, missing and coarse readings under the tuned table" "$(too_much tuned 6.0 0,0,0)"
+faultless "strays, missing and coarse readings under the tuned table" "$(too_much tuned 6.3 0,0,0)"
 
-build/lab attack --runs 3000 build/lab-images/first.so build/lab-images/{brake,tuned,classic}.so >"$out/attack"
-say "3,000 drives of chance for each law" $? "$(grep flagged "$out/attack" | tr '\n' ';')"
+build/lab attack --runs 10000 build/lab-images/first.so build/lab-images/{brake,tuned,classic}.so >"$out/attack"
+say "10,000 drives of chance for each law" $? "$(grep flagged "$out/attack" | tr '\n' ';')"
 finish

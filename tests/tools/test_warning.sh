@@ -57,7 +57,7 @@ late() {
 }
 
 build/fistab table tables/brake.fis --name=lut --csv="$out/cells_brake" -o "$out/lut.h"
-build/fistab table tables/brake_tuned.fis --name=lut --csv="$out/cells_tuned" -o "$out/lut.h"
+build/fistab table tables/brake_tuned.fis --grid="$(sed -n 's/^TUNED_GRID *:= //p' firmware/brake/brake.mk)" --name=lut --csv="$out/cells_tuned" -o "$out/lut.h"
 for app in brake tuned; do
     for v in 2 2.5 2.9 3 3.5 4 5; do
         for lead in 0 2; do

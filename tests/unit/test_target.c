@@ -251,6 +251,43 @@ static void test_an_echo_behind_what_has_just_entered_has_entered_late(void)
     TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
 }
 
+/* The same where the target's first echo was missing, or what came before the stray one is not
+ * known. */
+static void test_a_clear_reading_between_them_makes_no_difference(void)
+{
+    uint8_t was_clear;
+
+    for (was_clear = 0; was_clear <= 1; was_clear++) {
+        target_init();
+        if (was_clear) {
+            clear();
+        }
+        echo(3800);
+        clear();
+        echo(3800 + TARGET_BEHIND_MM + 1);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED_LATE, target_worth);
+    }
+}
+
+/* But an echo that is not behind the first one, after a clear reading: of either. */
+static void test_a_second_reading_after_a_clear_one_may_be_the_first(void)
+{
+    clear();
+    echo(4181);
+    clear();
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, echo(4056));
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW_LATE, target_worth);
+    TEST_ASSERT_UINT16_WITHIN(3, 1042, closing_difference.closing_mmps);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(370)); /* it was */
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+
+    target_init(); /* the road was not seen to be clear before */
+    echo(4181);
+    clear();
+    echo(4056);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+}
+
 static void test_a_new_target_may_close_faster_than_its_first_reading_said(void)
 {
     echo(4300); /* a stray one */
@@ -375,6 +412,22 @@ static void test_the_same_reading_while_closing_or_opening_is_stuck(void)
     }
 }
 
+/* A stray echo and one of a target may look like a target at 23 m/s that then stands still. */
+static void test_a_stray_echo_and_a_target_at_rest_are_not_stuck(void)
+{
+    echo(3085);
+    echo(1710);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, echo(1710));
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, echo(1710));
+    TEST_ASSERT_UINT16_WITHIN(3, 0, closing_smooth.closing_mmps);
+
+    target_init(); /* but up to 8 m/s it is a sensor that hangs */
+    echo(3085);
+    echo(3085 - 480);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, nearer(0));
+}
+
 static void test_stuck_lasts_until_another_reading_comes(void)
 {
     uint8_t i;
@@ -488,6 +541,8 @@ int main(void)
     RUN_TEST(test_echoes_that_fit_nothing_are_never_believed);
     RUN_TEST(test_the_one_aside_is_forgotten_after_a_long_silence);
     RUN_TEST(test_an_echo_behind_what_has_just_entered_has_entered_late);
+    RUN_TEST(test_a_clear_reading_between_them_makes_no_difference);
+    RUN_TEST(test_a_second_reading_after_a_clear_one_may_be_the_first);
     RUN_TEST(test_a_new_target_may_close_faster_than_its_first_reading_said);
     RUN_TEST(test_two_clear_readings_end_a_glimpse);
     RUN_TEST(test_clear_readings_that_end_a_new_target);
@@ -497,6 +552,7 @@ int main(void)
     RUN_TEST(test_a_near_target_stays_near_when_it_begins_anew);
     RUN_TEST(test_the_next_echo_of_a_target_that_seemed_gone_is_its_second_reading);
     RUN_TEST(test_the_same_reading_while_closing_or_opening_is_stuck);
+    RUN_TEST(test_a_stray_echo_and_a_target_at_rest_are_not_stuck);
     RUN_TEST(test_stuck_lasts_until_another_reading_comes);
     RUN_TEST(test_stuck_lasts_three_seconds_at_most);
     RUN_TEST(test_a_stuck_reading_that_is_lost_three_seconds_long_counts_down);

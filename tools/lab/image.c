@@ -37,6 +37,7 @@ int image_load(struct image *image, const char *path)
         !find(object, "brake_must_stop", &image->must_stop) ||
         !find(object, "range_mm", &image->range_mm) ||
         !find(object, "range_kind", &image->range_kind) ||
+        !find(object, "lab_rows", &image->rows) || !find(object, "lab_cols", &image->cols) ||
         !find(object, "lab_cells", &image->cells) || !find(object, "lab_load", &load)) {
         return diag_error(path, 0,
                           "no controller of this laboratory; use build/lab-images/NAME.so");

@@ -6,8 +6,6 @@
 
 #include "../../firmware/brake/brake.h"
 
-enum { IMAGE_CELLS = 100 }; /* along either input */
-
 struct image {
     const char *path;
     struct brake_output *brake;
@@ -19,7 +17,8 @@ struct image {
     bool (*must_stop)(uint16_t dist_mm);
     uint16_t (*range_mm)(uint16_t ticks);
     uint8_t (*range_kind)(uint16_t dist_mm);
-    uint8_t (*cells)[IMAGE_CELLS]; /* its table; may be written over */
+    const unsigned *rows, *cols; /* of its table, along the distance and the speed */
+    uint8_t *cells;              /* row by row; may be written over */
 };
 
 /* Loads PATH. Returns EXIT_FINE, or EXIT_INPUT after a message. It stays loaded to the end. */

@@ -5,10 +5,12 @@
 #include "cc51.h"
 #include "lut_table.h"
 
+extern const unsigned lab_rows, lab_cols;
 extern uint8_t lab_cells[LUT_IN1_CELLS][LUT_IN2_CELLS];
 void lab_load(void);
 uint8_t lut_at(uint8_t row, uint8_t col);
 
+const unsigned lab_rows = LUT_IN1_CELLS, lab_cols = LUT_IN2_CELLS;
 uint8_t lab_cells[LUT_IN1_CELLS][LUT_IN2_CELLS];
 
 void lab_load(void)

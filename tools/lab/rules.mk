@@ -13,7 +13,7 @@ define lab_image
 lab-images: build/lab-images/$(1).so
 build/lab-images/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
 	@mkdir -p $$(@D)
-	$$(Q)build/fistab table $$< --name=lut -o $$@
+	$$(Q)build/fistab table $$< --name=lut $$(filter --grid=%,$$($(1)_FISTAB)) -o $$@
 build/lab-images/$(1).so: tools/lab/lut.c $(patsubst %,firmware/%.c,lib/fixed $(filter-out brake/main,$(filter brake/%,$($(1)_MODULES)))) \
         $(wildcard firmware/brake/*.h firmware/lib/*.h) build/lab-images/$(1)/lut_table.h
 	$$(Q)$$(CC) -O2 -g -std=c11 -fPIC -shared -DCLK_HZ=12000000UL -DFAULT_PCT=60 $($(1)_FLAGS) -Ifirmware/brake -Ifirmware/lib \

@@ -32,10 +32,13 @@ static void run(const struct image *image, const struct scenario *scenario, uint
     trouble->faults += image->brake->state == BRAKE_FAULT;
 }
 
-enum stray { STRAY_NONE, STRAY_BEFORE, STRAY_LATER };
+enum stray { STRAY_NONE, STRAY_BEFORE, STRAY_LATER, STRAY_SILENT };
+
+/* The sensor hears nothing from there. */
+static const double silent_m = 6.5;
 
 /* Approaches to a standing car with one stray reading, up to 0.12 s before the car comes into sight
- * or at any later time. */
+ * or at any later time; or, as early, with that reading missing. */
 static struct trouble stray(const struct image *image, double speed_mps, enum stray when, int runs)
 {
     struct trouble trouble = {0};
@@ -48,15 +51,16 @@ static struct trouble stray(const struct image *image, double speed_mps, enum st
         scenario.lead.gap_m = between(5.4, 5.9);
         sight_s = (scenario.lead.gap_m - brake_settings(&scenario)->sonar.sensor.max_m) / speed_mps;
         dist_m = between(0.3, 4.8);
-        from_s = when == STRAY_BEFORE ? between(sight_s - 0.12, sight_s)
-                                      : between(sight_s, sight_s + 8 / speed_mps);
+        from_s = when == STRAY_LATER ? between(sight_s, sight_s + 8 / speed_mps)
+                                     : between(sight_s - 0.12, sight_s);
         if (when != STRAY_NONE) {
-            brake_settings(&scenario)->sonar.faults[0] = (struct fault){.kind = FAULT_GLITCH,
-                                                                        .from_s = fmax(from_s, 0),
-                                                                        .for_s = SCENARIO_UNSET,
-                                                                        .dist_m = dist_m,
-                                                                        .scale = 1,
-                                                                        .readings = 1};
+            brake_settings(&scenario)->sonar.faults[0] =
+                (struct fault){.kind = FAULT_GLITCH,
+                               .from_s = fmax(from_s, 0),
+                               .for_s = SCENARIO_UNSET,
+                               .dist_m = when == STRAY_SILENT ? silent_m : dist_m,
+                               .scale = 1,
+                               .readings = 1};
         }
         run(image, &scenario, (uint64_t)i, &trouble);
     }
@@ -158,10 +162,11 @@ void lab_print_trouble(FILE *out, const struct image *images, int count)
         for (double speed_mps = 5; speed_mps < 6.45; speed_mps += 0.1) {
             fprintf(out,
                     "  %.1f m/s, a stray reading: %d hits of 500 without, %d before first sight, "
-                    "%d later\n",
+                    "%d later; with that reading missing instead: %d\n",
                     speed_mps, stray(image, speed_mps, STRAY_NONE, 500).hits,
                     stray(image, speed_mps, STRAY_BEFORE, 500).hits,
-                    stray(image, speed_mps, STRAY_LATER, 500).hits);
+                    stray(image, speed_mps, STRAY_LATER, 500).hits,
+                    stray(image, speed_mps, STRAY_SILENT, 500).hits);
         }
         for (int k = 0; k < 3; k++) {
             fprintf(out, "  %.0f %% missing: %d hits of 400\n", shares[k] * 100,

@@ -75,7 +75,9 @@ static int put_table(const struct image *image, const double *p)
 {
     static char text[4000];
     FILE *stream = fmemopen(text, sizeof text, "w");
-    const struct table_options options = {.infer = {.samples = INFER_SAMPLES}, .levels = 100};
+    const unsigned rows = *image->rows, cols = *image->cols;
+    const struct table_options options = {
+        .infer = {.samples = INFER_SAMPLES}, .dims = {rows, cols}, .levels = 100};
     struct table table;
     struct fis fis;
     int wrong = 0;
@@ -92,13 +94,13 @@ static int put_table(const struct image *image, const double *p)
         fis_free(&fis);
         return -1;
     }
-    for (int row = 0; row < IMAGE_CELLS; row++) {
-        for (int col = 0; col < IMAGE_CELLS; col++) {
-            int cell = table.cell[0][row * IMAGE_CELLS + col];
+    for (unsigned row = 0; row < rows; row++) {
+        for (unsigned col = 0; col < cols; col++) {
+            const int *cell = &table.cell[0][row * cols + col];
 
-            image->cells[row][col] = (uint8_t)cell;
-            wrong += row > 0 && image->cells[row - 1][col] < cell;
-            wrong += col > 0 && image->cells[row][col - 1] > cell;
+            image->cells[row * cols + col] = (uint8_t)*cell;
+            wrong += row > 0 && *(cell - cols) < *cell;
+            wrong += col > 0 && *(cell - 1) > *cell;
         }
     }
     table_free(&table);
