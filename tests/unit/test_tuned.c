@@ -159,8 +159,8 @@ static void test_a_speed_survives_one_missing_echo(void)
     TEST_ASSERT_TRUE(brake.brake_pct >= 95);
 }
 
-/* The road was clear, a stray echo came, and the next echo was missing; then the car is 868 mm inside
- * the table. It has come in from 5 m in 0.12 to 0.18 s. */
+/* The road was clear, a stray echo came, and the next echo was missing; then the car is 868 mm
+ * inside the table. It has come in from 5 m in 0.12 to 0.18 s. */
 static void test_a_stray_echo_and_a_missing_one_cost_no_third_reading(void)
 {
     /* Well before the car: the car is behind it, and another target. 868 mm in 1/8 s. */
@@ -172,8 +172,8 @@ static void test_a_stray_echo_and_a_missing_one_cost_no_third_reading(void)
     TEST_ASSERT_EQUAL_UINT8(col_of(8 * 868), law_answer.col);
     TEST_ASSERT_EQUAL_UINT8(lut_at(row_of(5000 - 868), col_of(8 * 868)), brake.brake_pct);
 
-    /* Near it: the two echoes seem to be one target of 1 m/s, but then it came slower than from 5 m.
-     * 944 mm in 1/6 s. */
+    /* Near it: the two echoes seem to be one target of 1 m/s, but then it came faster before: 944 mm
+     * in 1/6 s. */
     brake_init(BRAKE_FAULT_NONE);
     look(RANGE_NO_TARGET, 0);
     look(RANGE_ECHO, 4181);
