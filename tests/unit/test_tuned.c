@@ -172,7 +172,7 @@ static void test_a_stray_echo_and_a_missing_one_cost_no_third_reading(void)
     TEST_ASSERT_EQUAL_UINT8(col_of(8 * 868), law_answer.col);
     TEST_ASSERT_EQUAL_UINT8(lut_at(row_of(5000 - 868), col_of(8 * 868)), brake.brake_pct);
 
-    /* Near it: the two echoes seem to be one target of 1 m/s, but then it came faster before: 944 mm
+    /* Near it: the two echoes seem to be one target of 1 m/s; but before, it came faster: 944 mm
      * in 1/6 s. */
     brake_init(BRAKE_FAULT_NONE);
     look(RANGE_NO_TARGET, 0);
