@@ -134,7 +134,7 @@ void closing_take_smooth(void)
 {
     int16_t off_mm = (int16_t)(closing_foreseen_mm - closing_place_mm);
 
-    smooth_mm = (uint16_t)(closing_place_mm + (uint16_t)((int16_t)(off_mm + 2) >> 2));
+    smooth_mm = (uint16_t)(closing_place_mm + (uint16_t)((int16_t)((uint16_t)off_mm + 2U) >> 2));
     off_mm = (int16_t)speed_2mmps((uint16_t)off_mm);
     smooth_2mmps += (uint16_t)(off_mm >> 2);
     show_smooth();

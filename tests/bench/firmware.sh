@@ -210,10 +210,13 @@ for board; do
         *) table= ;;
         esac
         echo "$board, $app, at $((clk_hz / 1000)) kHz:"
-        # A part of the main loop's round, then the step.
+        # A part of the main loop's round, then the step. Both had 1,000 until the step began to
+        # decide between two hypotheses and was given 1,500; 500 are left for what these readings find the
+        # loop at. Not a bound: that is `talk` and `control_step` of build/BOARD/APP.bound.
         row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" 2000 mc
         row 'the step alone, mc' "$(value "$board" $app step_most)" 1500 mc
         row 'no path of the step takes more, mc' "$(bounded "$board" $app control_step)" 1500 mc
+        # Without the loop's part, from the poll on, tests/bench/brake.c holds it to 300.
         row 'echo end to STOP pin, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
         # The step, 0.3 ms of notice for the PWM, and a period of it.
         row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" 11300 us
