@@ -191,6 +191,40 @@ static void test_a_switch_goes_everywhere_that_its_table_says(void)
     TEST_ASSERT_EQUAL_INT(2 + 2 + 2 + 4 + 2, cycles_of(0x100));
 }
 
+/* mov dptr,#low; movc; push; mov dptr,#high; movc; push; ret: the tables hold 0x200 and 0x301 */
+static void test_a_switch_goes_to_the_addresses_in_its_tables(void)
+{
+    put_start();
+    PUT(0x100, 0xEF, 0x90, 0x01, 0x0F, 0x93, 0xC0, 0xE0, 0xEF, 0x90, 0x01, 0x11, 0x93, 0xC0, 0xE0,
+        0x22, 0x00, 0x01, 0x02, 0x03);
+    PUT(0x200, 0x22);
+    PUT(0x301, 0xA4, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(2 * (1 + 2 + 2 + 2) + 2 + 4 + 2, cycles_of(0x100));
+    TEST_ASSERT_EQUAL_INT(2 + 2, flow_stack(&flow, 0x100));
+}
+
+/* mov a,sp; add a,#4; mov sp,a; then four times dec sp */
+static void test_a_frame_on_the_stack(void)
+{
+    put_start();
+    PUT(0x100, 0xE5, 0x81, 0x24, 0x04, 0xF5, 0x81, 0x15, 0x81, 0x15, 0x81, 0x15, 0x81, 0x15, 0x81,
+        0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(2 + 4, flow_stack(&flow, 0x100));
+}
+
+/* push 8; mov 8,sp; inc sp; lcall 0x200; mov sp,8; pop 8; ret, and the callee writes through R0 */
+static void test_a_frame_pointer_outlives_a_call(void)
+{
+    put_start();
+    PUT(0x100, 0xC0, 0x08, 0x85, 0x81, 0x08, 0x05, 0x81, 0x12, 0x02, 0x00, 0x85, 0x08, 0x81, 0xD0,
+        0x08, 0x22);
+    PUT(0x200, 0xF6, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(2 + 2 + 2, flow_stack(&flow, 0x100));
+}
+
 static void test_the_longer_of_two_branches_counts(void)
 {
     put_start();
@@ -253,6 +287,54 @@ static void test_a_bound_speaks_for_one_loop(void)
     comes_from(0x104, 8, LISTING_NO_BOUND);
     TEST_ASSERT_TRUE(flow_follow(&flow));
     TEST_ASSERT_FALSE(count_quietly(0x100, false, &cycles));
+}
+
+/* mov r7,#5; loop: nop; djnz r7,loop; ret */
+static void test_a_loop_that_counts_with_constants_needs_no_bound(void)
+{
+    put_start();
+    PUT(0x100, 0x7F, 0x05, 0x00, 0xDF, 0xFD, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(1 + 5 * 3 + 2, cycles_of(0x100));
+}
+
+/* mov 0x30,#5; loop: djnz 0x30,loop; ret, while an interrupt may set 0x30 */
+static void test_a_counter_that_an_interrupt_changes_bounds_nothing(void)
+{
+    long cycles;
+
+    for (int is_shared = 0; is_shared < 2; is_shared++) {
+        tearDown();
+        setUp();
+        put_start();
+        PUT(0x100, 0x75, 0x30, 0x05, 0xD5, 0x30, 0xFD, 0x22);
+        PUT(0x0B, 0x02, 0x02, 0x00);
+        PUT(0x200, 0x75, (uint8_t)(is_shared ? 0x30 : 0x31), 0x09, 0x32);
+        TEST_ASSERT_TRUE(flow_follow(&flow));
+        TEST_ASSERT_EQUAL_INT(!is_shared, count_quietly(0x100, false, &cycles));
+    }
+}
+
+/* jz over a trap; the way that returns counts */
+static void test_a_trap_does_not_hide_the_return(void)
+{
+    put_start();
+    PUT(0x100, 0x60, 0x02, 0x80, 0xFE, 0xA4, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(2 + 4 + 2, cycles_of(0x100));
+}
+
+/* Between its vectors SDCC 4.5 has routines, in which 0x02 is no jump. */
+static void test_the_atomic_routines_are_no_vectors(void)
+{
+    uint16_t entry;
+
+    put_start();
+    PUT(0x100, 0x22);
+    PUT(0x08, 0x00, 0x00, 0xE2, 0xFB, 0xEA, 0xF2, 0x80, 0x2C, 0x00, 0x00, 0xE0, 0xFB, 0xEA, 0xF0,
+        0x80, 0x24, 0xE6, 0xB5, 0x02, 0x02, 0xEB, 0xF6, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_FALSE(flow_interrupt(&flow, 3, &entry));
 }
 
 static void test_loops_that_cannot_be_bounded_are_refused(void)
@@ -368,12 +450,19 @@ int main(void)
     RUN_TEST(test_code_in_the_place_of_a_vector);
     RUN_TEST(test_what_cannot_be_followed_is_refused);
     RUN_TEST(test_a_switch_goes_everywhere_that_its_table_says);
+    RUN_TEST(test_a_switch_goes_to_the_addresses_in_its_tables);
+    RUN_TEST(test_a_frame_on_the_stack);
+    RUN_TEST(test_a_frame_pointer_outlives_a_call);
     RUN_TEST(test_the_longer_of_two_branches_counts);
     RUN_TEST(test_a_call_takes_what_its_callee_takes);
     RUN_TEST(test_a_loop_turns_as_often_as_its_source_line_says);
     RUN_TEST(test_a_loop_at_the_entry_counts_too);
     RUN_TEST(test_loops_in_loops);
     RUN_TEST(test_a_bound_speaks_for_one_loop);
+    RUN_TEST(test_a_loop_that_counts_with_constants_needs_no_bound);
+    RUN_TEST(test_a_counter_that_an_interrupt_changes_bounds_nothing);
+    RUN_TEST(test_a_trap_does_not_hide_the_return);
+    RUN_TEST(test_the_atomic_routines_are_no_vectors);
     RUN_TEST(test_loops_that_cannot_be_bounded_are_refused);
     RUN_TEST(test_a_round_of_an_endless_loop);
     RUN_TEST(test_names_and_bounds_come_from_a_listing);

@@ -71,6 +71,7 @@ options_of() { # HELP...
 wrong_options() {
     local place text word help
     while IFS=$'\t' read -r place text; do
+        [[ $text == sdcc\ * ]] && continue # the compiler's own
         help=("${helps[@]}")
         [[ $text =~ ^(build/)?(fistab|drive|bound|lab)\ ([a-z]+) ]] && {
             help=("$out/help_${BASH_REMATCH[2]}")
@@ -120,10 +121,14 @@ output_of() { # COMMAND
     case $1 in
     "make demo") tools/demo.sh $board ;;
     "make test") tests/run.sh "echo a:1:b:PASS" | sed 's/^[0-9]* passed/N passed/' ;;
-    build/fistab\ * | build/drive\ *) bash -c "$1" ;;
+    build/fistab\ * | build/drive\ * | build/bound\ *) bash -c "$1" ;;
     *) echo "no way to check this command" ;;
     esac 2>&1 </dev/null
 }
+# What the commands of docs/bound.md read.
+while IFS= read -r command; do
+    bash -c "$command" 2>/dev/null
+done < <(items command | cut -f2 | grep '^sdcc ')
 awk -F '\t' -v out="$out/shown" '
     $2 == "command" { command = $3; place = $1; next }
     $2 == "output" && command != "" { n++; print command >(out n ".command"); print place >(out n ".place"); command = "" }
@@ -147,7 +152,7 @@ for file in "$out"/shown*.command; do
     [ -z "$fault" ]
     status=$?
     case $(cat "$file") in
-    "make demo" | build/drive\ run*) judge=of_image ;;
+    "make demo" | build/drive\ run* | build/bound\ *) judge=of_image ;;
     *) judge=say ;;
     esac
     $judge "$(cat "${file%.command}.place") $(cat "$file")" $status "$fault"
@@ -173,7 +178,7 @@ shows "what the serial line says" '^(# (\?|state|fuzzy51 [0-9])|seq,|[0-9]+,)' "
 cat firmware/*/main.c | grep -oE '"seq,[a-z0-9_,]*' | tr -d '"' >"$out/headers"
 shows "the telemetry of the frame-fed controllers" '^seq,' "$out/headers" docs/controllers.md
 sed 's/; deepest.*//' "build/$board/brake.bound" >"$out/bound"
-sed -n 's/; deepest.*//p' docs/bound.md >>"$out/bound.shown"
+sed -n 's/; deepest measure.*//p' docs/bound.md >>"$out/bound.shown"
 shows "the bounds" '^(pwm_interrupt|control_step): ' "$out/bound" docs/bound.md
 [ -s "$out/bound.shown" ] && grep -qxF -f "$out/bound.shown" "$out/bound"
 of_image "the stack's bound" $? "docs/bound.md shows '$(cat "$out/bound.shown")'; it is '$(grep '^stack: ' "$out/bound")'"

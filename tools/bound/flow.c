@@ -2,34 +2,21 @@
 #include "flow.h"
 
 #include "diag.h"
-#include "opcode.h"
+#include "graph.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUCCESSORS = 64, NONE = -1 };
+enum { PATH_LENGTH = 300 };
 
-/* One instruction of a function. */
-struct node {
-    uint16_t address;
-    struct instruction it;
-    int depth;        /* bytes on the stack before it, of this function's own */
-    int first, count; /* its successors */
-};
-
-/* A function: all instructions that can be reached from its entry without a call. Code that several
- * functions jump to is part of each of them. */
-struct function {
-    struct node
-        *nodes; /* the first one is no instruction: it leads to the entry, and nothing to it */
-    int node_count, node_room;
-    int *successors;
-    int successor_count, successor_room;
-    int stack; /* with the return address */
-    long deepest;
-    bool is_done;
-    long cycles; /* NONE: not known yet */
-};
+static void *resize(void *array, int count, size_t size)
+{
+    array = realloc(array, (size_t)count * size);
+    if (array == NULL) {
+        abort();
+    }
+    return array;
+}
 
 static void *grow(void *array, int count, int *room, size_t size)
 {
@@ -37,36 +24,103 @@ static void *grow(void *array, int count, int *room, size_t size)
         return array;
     }
     *room = *room == 0 ? 64 : 2 * *room;
-    array = realloc(array, (size_t)*room * size);
-    if (array == NULL) {
-        abort();
+    return resize(array, *room, size);
+}
+
+/* --- messages ------------------------------------------------------------------------------- */
+
+uint16_t graph_owner(const struct flow *flow, uint16_t address)
+{
+    while (flow->listing->names[address] == NULL && address != 0) {
+        address--;
     }
-    return array;
+    return address;
 }
 
-static const char *place(const struct flow *flow, uint16_t address)
+const char *graph_leading_line(const struct flow *flow, uint16_t owner)
 {
-    return flow->listing->places[address] != NULL ? flow->listing->places[address]
-                                                  : listing_name(flow->listing, address);
+    const struct function *function = flow->functions[flow->entry];
+    uint16_t caller = flow->callers[flow->entry];
+
+    for (int i = 1; function != NULL && owner != flow->entry && i < function->node_count; i++) {
+        const struct node *node = &function->nodes[i];
+
+        if (node->is_known && node->it.target == owner &&
+            flow->listing->places[node->address] != NULL) {
+            return flow->listing->places[node->address];
+        }
+    }
+    while (caller != 0 && flow->listing->places[caller] == NULL) {
+        caller = flow->callers[flow->owners[caller]];
+    }
+    return flow->listing->places[caller];
 }
 
-static bool complain(const struct flow *flow, uint16_t address, const char *what)
+/* Code of SDCC's library has no source line: then the message names its function and the line that
+ * leads there. */
+bool graph_complain(const struct flow *flow, uint16_t address, const char *what)
 {
-    diag_error(flow->path, 0, "at 0x%04X (%s): %s", address, place(flow, address), what);
+    const char *line = flow->listing->places[address];
+    uint16_t owner = graph_owner(flow, address);
+
+    if (line != NULL) {
+        diag_error(flow->path, 0, "at 0x%04X (%s): %s", address, line, what);
+        return false;
+    }
+    line = graph_leading_line(flow, owner);
+    diag_error(flow->path, 0, "at 0x%04X (%s%s%s): %s", address, listing_name(flow->listing, owner),
+               line != NULL ? ", called at " : "", line != NULL ? line : "", what);
     return false;
 }
 
-/* --- graph ----------------------------------------------------------------------------------- */
-
-static int add_node(struct function *function, int16_t *index, uint16_t address, int depth)
+/* ENTRY is called while it is followed. */
+static bool complain_of_recursion(struct flow *flow, uint16_t entry, uint16_t call)
 {
-    if (index[address] != NONE) {
-        return index[address];
+    const char *line = flow->listing->places[call];
+    char path[PATH_LENGTH] = "";
+    size_t length = 0;
+    uint16_t at = flow->entry;
+
+    for (int i = 0; at != entry && i < 8; i++) {
+        char rest[PATH_LENGTH];
+
+        snprintf(rest, sizeof rest, " > %.100s%.190s", listing_name(flow->listing, at), path);
+        memcpy(path, rest, sizeof path);
+        at = flow->owners[flow->callers[at]];
+    }
+    length = strlen(path);
+    snprintf(path + length, sizeof path - length, " > %.100s", listing_name(flow->listing, entry));
+    diag_error(
+        flow->path, 0,
+        "%s%s%s calls itself: %s%s; the stack of a recursion has no bound; make a loop of it",
+        line != NULL ? line : "", line != NULL ? ": " : "", listing_name(flow->listing, entry),
+        listing_name(flow->listing, entry), path);
+    return false;
+}
+
+/* --- graph ---------------------------------------------------------------------------------- */
+
+/* What graph_settle works with. */
+struct settling {
+    struct flow *flow;
+    struct function *function;
+    int16_t *index; /* the node of an address; NONE: there is none yet */
+    int *queue;     /* nodes before which less is known than when they were looked at */
+    bool *is_queued;
+    int queued, room;
+};
+
+static int add_node(struct settling *work, uint16_t address)
+{
+    struct function *function = work->function;
+
+    if (work->index[address] != NONE) {
+        return work->index[address];
     }
     function->nodes =
         grow(function->nodes, function->node_count, &function->node_room, sizeof *function->nodes);
-    function->nodes[function->node_count] = (struct node){.address = address, .depth = depth};
-    index[address] = (int16_t)function->node_count;
+    function->nodes[function->node_count] = (struct node){.address = address, .depth = NONE};
+    work->index[address] = (int16_t)function->node_count;
     return function->node_count++;
 }
 
@@ -77,32 +131,44 @@ static void add_successor(struct function *function, int node)
     function->successors[function->successor_count++] = node;
 }
 
-/* The targets of `jmp @a+dptr`. SDCC uses it for switch: dptr points to a table of ljmp behind it.
- */
-static int switch_targets(const struct flow *flow, uint16_t address, uint16_t targets[SUCCESSORS])
+/* Makes room for what is known before each node and for the queue. */
+static void make_room(struct settling *work)
 {
-    const uint8_t *code = flow->hex->code;
-    uint16_t table = (uint16_t)(address + 1);
-    int count = 0;
+    struct function *function = work->function;
 
-    if (code[(uint16_t)(address - 3)] != 0x90 || /* mov dptr,#table */
-        (code[(uint16_t)(address - 2)] << 8 | code[(uint16_t)(address - 1)]) != table) {
-        return 0;
+    if (function->before_room < function->node_room || function->before == NULL) {
+        int old = function->before == NULL ? 0 : function->before_room;
+
+        function->before = resize(function->before, function->node_room, sizeof *function->before);
+        memset(function->before + old, 0,
+               (size_t)(function->node_room - old) * sizeof *function->before);
+        function->before_room = function->node_room;
     }
-    while (count < SUCCESSORS && code[table] == 0x02) {
-        targets[count++] = table;
-        table = (uint16_t)(table + 3);
+    if (work->room < function->node_room) {
+        work->queue = resize(work->queue, function->node_room, sizeof *work->queue);
+        work->is_queued = resize(work->is_queued, function->node_room, sizeof *work->is_queued);
+        memset(work->is_queued + work->room, false, (size_t)(function->node_room - work->room));
+        work->room = function->node_room;
     }
-    return count;
 }
 
-static bool follow_function(struct flow *flow, uint16_t entry);
+/* Tells the node AT what is known on one of the ways to it. */
+static void tell(struct settling *work, int at, const struct values *values)
+{
+    make_room(work);
+    if (values_merge(&work->function->before[at], values) && !work->is_queued[at]) {
+        work->is_queued[at] = true;
+        work->queue[work->queued++] = at;
+    }
+}
+
+static bool follow_function(struct flow *flow, uint16_t entry, uint16_t call);
 
 static bool follow_call(struct flow *flow, struct function *function, const struct node *node)
 {
     const struct function *callee;
 
-    if (!follow_function(flow, node->it.target)) {
+    if (!follow_function(flow, node->it.target, node->address)) {
         return false;
     }
     callee = flow->functions[node->it.target];
@@ -113,40 +179,80 @@ static bool follow_call(struct flow *flow, struct function *function, const stru
     return true;
 }
 
-/* Notes what NODE does to the stack pointer and to the priority of interrupts. */
-static bool note_effects(struct flow *flow, struct function *function, const struct node *node)
+bool graph_step(const struct flow *flow, const struct node *node, struct values *values)
 {
     const uint8_t *code = &flow->hex->code[node->address];
 
-    if (node->it.writes_sp) {
-        if (code[0] != 0x75 || (flow->stack_base >= 0 && flow->stack_base != code[2]) ||
-            node->depth != 0) {
-            return complain(
-                flow, node->address,
-                "the stack pointer is moved; use no variable arguments and no --stack-auto");
-        }
-        flow->stack_base = code[2];
+    if (node->it.writes_sp && code[0] == 0x75) { /* the start-up sets the stack pointer */
+        return true;
+    }
+    if (!values_step(values, &flow->world, node->address, &node->it)) {
+        return false;
+    }
+    if (node->it.course == COURSE_CALL) {
+        values_return(values, flow->functions[node->it.target]->is_changed);
+    }
+    return true;
+}
+
+/* Notes that the start-up code sets the stack pointer. */
+static bool note_stack_base(struct flow *flow, const struct node *node)
+{
+    int base = flow->hex->code[(uint16_t)(node->address + 2)];
+
+    if ((flow->stack_base >= 0 && flow->stack_base != base) || node->depth != 0) {
+        return graph_complain(flow, node->address,
+                              "the stack pointer is set a second time; let "
+                              "only the start-up code set it");
+    }
+    flow->stack_base = base;
+    return true;
+}
+
+/* Notes what NODE does to the stack and to the priority of interrupts. Afterwards VALUES are those
+ * behind it. */
+static bool note_effects(struct flow *flow, struct function *function, const struct node *node,
+                         struct values *values)
+{
+    const uint8_t *code = &flow->hex->code[node->address];
+    int after;
+
+    if (node->it.writes_sp && code[0] == 0x75 && !note_stack_base(flow, node)) {
+        return false;
     }
     if (code[0] == 0xD2 && code[1] >= 0xB8 && code[1] <= 0xBD) { /* setb IP.n */
         flow->high |= (uint8_t)(1 << (code[1] - 0xB8));
     }
-    if (node->depth + node->it.push > function->stack) {
-        function->stack = node->depth + node->it.push;
+    if (node->it.course == COURSE_CALL && !follow_call(flow, function, node)) {
+        return false;
     }
-    if (node->depth + node->it.push < 0) {
-        return complain(flow, node->address, "pops what it has not pushed");
+    flow->entry = function->nodes[1].address;
+    if (code[0] == 0xD0 && node->depth == 0) {
+        return graph_complain(flow, node->address, "pops what it has not pushed");
     }
-    if (node->it.course == COURSE_RETURN && node->depth != 0) {
-        return complain(flow, node->address, "returns with bytes left on the stack");
+    if (!graph_step(flow, node, values)) {
+        return graph_complain(flow, node->address,
+                              "the stack pointer is set to what is not known here; do without "
+                              "longjmp and without variables of changing size");
     }
-    return node->it.course != COURSE_CALL || follow_call(flow, function, node);
+    after = values_depth(values);
+    if (after < 0) {
+        return graph_complain(flow, node->address,
+                              "takes more from the stack than it has put there");
+    }
+    if (after > function->stack) {
+        function->stack = after;
+    }
+    return true;
 }
 
-/* Finds the instructions that may follow NODE. */
-static int targets_of(const struct flow *flow, const struct node *node,
-                      uint16_t targets[SUCCESSORS])
+/* Finds the addresses that may follow NODE, with the VALUES before it; -1: they are not known. A
+ * `ret` that ends a switch takes its target from the stack. */
+static int targets_of(const struct flow *flow, const struct node *node, const struct values *values,
+                      uint16_t targets[VALUES_REPEATS])
 {
     uint16_t next = (uint16_t)(node->address + node->it.bytes);
+    int count;
 
     switch (node->it.course) {
     case COURSE_ON:
@@ -161,76 +267,153 @@ static int targets_of(const struct flow *flow, const struct node *node,
         targets[0] = node->it.target;
         return 1;
     case COURSE_RETURN:
-        return 0;
+        if (node->depth == 0) {
+            return 0;
+        }
+        break;
     case COURSE_UNKNOWN:
         break;
     }
-    return switch_targets(flow, node->address, targets);
+    count = flow->hex->code[node->address] == 0xA5
+                ? 0
+                : values_targets(values, &flow->world, node->it.course == COURSE_RETURN, targets);
+    return count == 0 ? -1 : count;
 }
 
-static bool follow_node(struct flow *flow, struct function *function, int16_t *index, int at)
+static bool complain_of_pointer(const struct flow *flow, const struct node *node)
 {
-    uint16_t targets[SUCCESSORS];
+    uint8_t code = flow->hex->code[node->address];
+
+    return graph_complain(
+        flow, node->address,
+        code == 0xA5 ? "0xA5 is no instruction"
+        : node->it.course == COURSE_RETURN
+            ? "returns with bytes left on the stack, or calls through a function pointer; call the "
+              "function by its name"
+            : "calls through a function pointer; call the function by its name");
+}
+
+/* Looks at the node AT with what is known before it, and tells its successors. */
+static bool visit(struct settling *work, int at)
+{
+    struct flow *flow = work->flow;
+    struct function *function = work->function;
+    struct values values = function->before[at];
     struct node node = function->nodes[at];
-    int count;
+    uint16_t targets[VALUES_REPEATS];
+    int count, depth = values_depth(&values);
 
     if (!flow->hex->used[node.address]) {
-        return complain(flow, node.address, "runs out of the code");
+        return graph_complain(flow, node.address, "runs out of the code");
     }
+    if (depth < 0 || depth >= VALUES_SLOTS) {
+        return graph_complain(flow, node.address,
+                              depth < 0 ? "is reached with different stacks"
+                                        : "this function has too much on the stack");
+    }
+    node.depth = depth;
     node.it = opcode_decode(flow->hex->code, node.address);
-    if (!note_effects(flow, function, &node)) {
+    count = targets_of(flow, &node, &values, targets);
+    if (count < 0 || (node.is_known && count != node.count)) {
+        return complain_of_pointer(flow, &node);
+    }
+    if (!note_effects(flow, function, &node, &values)) {
         return false;
     }
-    count = targets_of(flow, &node, targets);
-    if (node.it.course == COURSE_UNKNOWN && count == 0) {
-        return complain(flow, node.address,
-                        "jumps or calls through a pointer; call the function by its name");
+    if (node.it.course == COURSE_RETURN && count > 0) {
+        values_drop(&values, FLOW_RETURN_ADDRESS);
     }
+    node.returns = node.it.course == COURSE_RETURN && count == 0;
     memset(&flow->is_code[node.address], true, node.it.bytes);
-    node.first = function->successor_count;
-    node.count = count;
+    if (!node.is_known) {
+        node.first = function->successor_count;
+        node.count = count;
+        node.is_known = true;
+        for (int i = 0; i < count; i++) {
+            add_successor(function, add_node(work, targets[i]));
+        }
+    }
     function->nodes[at] = node;
     for (int i = 0; i < count; i++) {
-        int next = add_node(function, index, targets[i], node.depth + node.it.push);
-
-        if (function->nodes[next].depth != node.depth + node.it.push) {
-            return complain(flow, targets[i], "is reached with different stacks");
-        }
-        add_successor(function, next);
+        tell(work, function->successors[node.first + i], &values);
     }
     return true;
 }
 
-static bool follow_function(struct flow *flow, uint16_t entry)
+bool graph_settle(struct flow *flow, struct function *function)
 {
-    struct function *function = flow->functions[entry];
-    int16_t *index;
+    struct settling work = {.flow = flow, .function = function};
+    struct values values;
     bool is_good = true;
 
-    if (function != NULL) {
-        return function->is_done ||
-               complain(flow, entry, "calls itself; a function on this chip has one set of locals");
+    work.index = resize(NULL, HEX_CODE_SIZE, sizeof *work.index);
+    memset(work.index, 0xFF, HEX_CODE_SIZE * sizeof *work.index); /* NONE */
+    for (int i = 1; i < function->node_count; i++) {
+        work.index[function->nodes[i].address] = (int16_t)i;
     }
-    function = calloc(1, sizeof *function);
-    index = malloc(HEX_CODE_SIZE * sizeof *index);
-    if (function == NULL || index == NULL) {
+    graph_forget(function);
+    values_enter(&values, &flow->world);
+    tell(&work, 1, &values);
+    while (work.queued > 0 && is_good) {
+        int at = work.queue[--work.queued];
+
+        work.is_queued[at] = false;
+        is_good = visit(&work, at);
+    }
+    free(work.index);
+    free(work.queue);
+    free(work.is_queued);
+    return is_good;
+}
+
+void graph_forget(struct function *function)
+{
+    free(function->before);
+    function->before = NULL;
+    function->before_room = 0;
+}
+
+/* A function of which only the entry is known. */
+static struct function *new_function(uint16_t entry)
+{
+    struct function *function = calloc(1, sizeof *function);
+
+    if (function == NULL) {
         abort();
     }
-    memset(index, 0xFF, HEX_CODE_SIZE * sizeof *index); /* NONE */
-    flow->functions[entry] = function;
     function->deepest = NONE;
     function->cycles = NONE;
-    add_node(function, index, entry, 0);
-    index[entry] = NONE;
-    function->nodes[0].count = 1;
-    add_successor(function, add_node(function, index, entry, 0));
-    for (int i = 1; i < function->node_count && is_good; i++) {
-        is_good = follow_node(flow, function, index, i);
+    function->nodes = grow(NULL, 0, &function->node_room, sizeof *function->nodes);
+    function->nodes[0] = (struct node){.address = entry, .count = 1};
+    function->nodes[1] = (struct node){.address = entry, .depth = NONE};
+    function->node_count = 2;
+    add_successor(function, 1);
+    return function;
+}
+
+/* CALL is where ENTRY is called from; 0: from nowhere. */
+static bool follow_function(struct flow *flow, uint16_t entry, uint16_t call)
+{
+    struct function *function = flow->functions[entry];
+    uint16_t caller = flow->entry;
+
+    if (function != NULL) {
+        return function->is_done || complain_of_recursion(flow, entry, call);
     }
-    free(index);
+    flow->callers[entry] = call;
+    flow->owners[call] = caller;
+    flow->entry = entry;
+    flow->functions[entry] = function = new_function(entry);
+    function->is_done = graph_settle(flow, function);
+    for (int i = 1; i < function->node_count && function->is_done; i++) {
+        if (function->nodes[i].returns) {
+            values_changed(&function->before[i], function->is_changed);
+        }
+    }
+    graph_forget(function);
     function->stack += FLOW_RETURN_ADDRESS;
-    function->is_done = is_good;
-    return is_good;
+    flow->entry = caller;
+    return function->is_done;
 }
 
 bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry)
@@ -241,28 +424,57 @@ bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry)
     return flow->vectors >> n & 1;
 }
 
+/* Returns whether the bytes at VECTOR are of the routines that SDCC 4.5 puts between the vectors,
+ * for C11's atomic flags: they begin with these instructions, in a program without interrupts at
+ * 8. */
+static bool is_atomic_routine(const struct hexfile *hex, uint16_t vector)
+{
+    static const uint8_t begin[] = {0x00, 0x00, 0xE2, 0xFB, 0xEA, 0xF2, 0x80, 0x2C,
+                                    0x00, 0x00, 0xE0, 0xFB, 0xEA, 0xF0, 0x80, 0x24};
+    enum { LENGTH = 65 };
+
+    for (int i = 3; i <= vector; i++) {
+        if (vector < i + LENGTH && memcmp(&hex->code[i], begin, sizeof begin) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool flow_follow(struct flow *flow)
 {
-    if (!follow_function(flow, 0)) {
+    values_world_init(&flow->world, flow->hex->code);
+    if (!follow_function(flow, 0, 0)) {
         return false;
     }
     if (flow->stack_base < 0) {
-        return complain(flow, 0, "no start-up sets the stack pointer");
+        return graph_complain(flow, 0, "no start-up sets the stack pointer");
     }
     /* Where a vector is not used, a reti may stand, or nothing, or what the reset has led to. */
     for (int n = 0; n < FLOW_INTERRUPTS; n++) {
         uint16_t vector = (uint16_t)(8 * n + 3), entry;
 
-        if (!flow->hex->used[vector] || flow->is_code[vector] || flow->hex->code[vector] != 0x02) {
+        if (!flow->hex->used[vector] || flow->is_code[vector] || flow->hex->code[vector] != 0x02 ||
+            is_atomic_routine(flow->hex, vector)) {
             continue;
         }
         flow->vectors |= (uint8_t)(1 << n);
         flow_interrupt(flow, n, &entry);
-        if (!follow_function(flow, entry)) {
+        if (!follow_function(flow, entry, 0)) {
             return false;
+        }
+        for (int i = 0; i < VALUES_BYTES; i++) {
+            flow->world.is_shared[i] |= flow->functions[entry]->is_changed[i];
         }
     }
     return true;
+}
+
+bool flow_follow_function(struct flow *flow, uint16_t entry)
+{
+    return flow->functions[entry] != NULL && flow->functions[entry]->is_done
+               ? true
+               : follow_function(flow, entry, 0);
 }
 
 int flow_stack(const struct flow *flow, uint16_t entry)
@@ -273,394 +485,6 @@ int flow_stack(const struct flow *flow, uint16_t entry)
 long flow_deepest(const struct flow *flow, uint16_t entry)
 {
     return flow->functions[entry]->deepest;
-}
-
-/* --- cycles ---------------------------------------------------------------------------------- */
-
-/* The search for the longest path through part of a function. */
-struct search {
-    struct flow *flow;
-    uint16_t entry;
-    const struct function *function;
-    int *part; /* of each node: the innermost loop under way that holds it; 0: the function */
-    int parts;
-    bool *is_claimed; /* its source line's `rounds:` is another loop's */
-    long endless;     /* cycles of one turn of the endless loop; NONE: no such loop */
-};
-
-/* Strongly connected components of one part, by Tarjan's algorithm. */
-struct components {
-    const struct search *search;
-    int part, header; /* edges back to the header do not count */
-    int *order, *low, *component;
-    int *stack, *sorted; /* sorted: nodes, the components one after another, last ones first */
-    int visited, depth, count, sorted_count;
-};
-
-static bool is_edge(const struct components *found, int to)
-{
-    return to != found->header && found->search->part[to] == found->part;
-}
-
-static void visit(struct components *found, int at)
-{
-    const struct function *function = found->search->function;
-    const struct node *node = &function->nodes[at];
-
-    found->order[at] = found->low[at] = ++found->visited;
-    found->stack[found->depth++] = at;
-    for (int i = node->first; i < node->first + node->count; i++) {
-        int to = function->successors[i];
-
-        if (!is_edge(found, to)) {
-            continue;
-        }
-        if (found->order[to] == 0) {
-            visit(found, to);
-        }
-        if (found->component[to] == NONE && found->low[to] < found->low[at]) {
-            found->low[at] = found->low[to];
-        }
-    }
-    if (found->low[at] < found->order[at]) {
-        return;
-    }
-    do {
-        int member = found->stack[--found->depth];
-
-        found->component[member] = found->count;
-        found->sorted[found->sorted_count++] = member;
-    } while (found->stack[found->depth] != at);
-    found->count++;
-}
-
-static bool longest(struct search *search, int part, int header, long *dist, long *turn);
-
-static bool is_loop(const struct components *found, const int *members, int count)
-{
-    const struct function *function = found->search->function;
-    const struct node *node = &function->nodes[members[0]];
-
-    if (count > 1) {
-        return true;
-    }
-    for (int i = node->first; i < node->first + node->count; i++) {
-        if (function->successors[i] == members[0] && members[0] != found->header) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Returns whether a round of a loop begins or ends with the instruction AT: AT is the loop's
- * header, or a jump back to the header. */
-static bool is_turning(const struct search *search, int at, int header)
-{
-    const struct node *node = &search->function->nodes[at];
-
-    for (int i = node->first; i < node->first + node->count; i++) {
-        if (search->function->successors[i] == header) {
-            return true;
-        }
-    }
-    return at == header;
-}
-
-/* The function that the code at ADDRESS is part of: the last name before it. It is not always the
- * function that was called, because a function may end with a jump to another one. */
-static uint16_t owner_of(const struct flow *flow, uint16_t address)
-{
-    while (flow->listing->names[address] == NULL && address != 0) {
-        address--;
-    }
-    return address;
-}
-
-/* The source line that leads to the function OWNER, whose code the search came to: that of the jump
- * in the function itself, or else that of the last call with a source line. NULL: none is known. */
-static const char *leading_line(const struct search *search, uint16_t owner)
-{
-    const struct flow *flow = search->flow;
-    uint16_t caller = flow->callers[search->entry];
-
-    for (int i = 1; i < search->function->node_count && owner != search->entry; i++) {
-        const struct node *node = &search->function->nodes[i];
-
-        if (node->it.target == owner && flow->listing->places[node->address] != NULL) {
-            return flow->listing->places[node->address];
-        }
-    }
-    while (caller != 0 && flow->listing->places[caller] == NULL) {
-        caller = flow->callers[flow->owners[caller]];
-    }
-    return flow->listing->places[caller];
-}
-
-/* The loop at ADDRESS has no bound. A function of SDCC's library has no source line: the message
- * names the function, and the line of ours that leads to it. */
-static bool complain_of_loop(const struct search *search, uint16_t address)
-{
-    const struct flow *flow = search->flow;
-    uint16_t owner = owner_of(flow, address);
-    const char *line = flow->listing->places[address], *name = listing_name(flow->listing, owner);
-
-    if (line != NULL) {
-        diag_error(flow->path, 0,
-                   "at 0x%04X (%s): a loop without a bound; write /* rounds: N */ on the line of "
-                   "its condition, or give --loop=%s:N",
-                   address, line, name);
-        return false;
-    }
-    line = leading_line(search, owner);
-    diag_error(
-        flow->path, 0,
-        "%s%s%s: a loop without a bound; do without this call, or give --loop=%s:N, the most "
-        "rounds of each of its loops",
-        name, line != NULL ? ", called at " : "", line != NULL ? line : "", name);
-    return false;
-}
-
-/* Finds how many rounds the loop of these nodes has at most: the `rounds:` comment on the source
- * line of its condition. A comment is valid for one loop, the innermost one on its line. */
-static bool find_rounds(struct search *search, const int *members, int count, int header,
-                        long *rounds)
-{
-    const struct listing *listing = search->flow->listing;
-    const struct node *nodes = search->function->nodes;
-    const char *turn = NULL;
-
-    *rounds = LISTING_NO_BOUND;
-    for (int i = 0; i < count; i++) {
-        uint16_t address = nodes[members[i]].address;
-
-        if (search->is_claimed[members[i]] || listing->rounds[address] == LISTING_NO_BOUND ||
-            !is_turning(search, members[i], header)) {
-            continue;
-        }
-        if (*rounds != LISTING_NO_BOUND && *rounds != listing->rounds[address]) {
-            return complain(search->flow, address,
-                            "two different `rounds:` for one loop; keep one");
-        }
-        *rounds = listing->rounds[address];
-        turn = listing->places[address];
-    }
-    if (turn == NULL) {
-        uint16_t address = nodes[header].address;
-
-        *rounds = search->flow->rounds[owner_of(search->flow, address)];
-        return *rounds > 0 || complain_of_loop(search, address);
-    }
-    for (int i = 0; i < search->function->node_count; i++) {
-        const char *other = listing->places[nodes[i].address];
-
-        if (other != NULL && strcmp(other, turn) == 0) {
-            search->is_claimed[i] = true;
-        }
-    }
-    return true;
-}
-
-static bool is_endless(const struct search *search, const int *members, int count, int inner)
-{
-    for (int i = 0; i < count; i++) {
-        const struct node *node = &search->function->nodes[members[i]];
-
-        if (node->it.course == COURSE_RETURN) {
-            return false;
-        }
-        for (int k = node->first; k < node->first + node->count; k++) {
-            if (search->part[search->function->successors[k]] != inner) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-/* The longest paths through the loop of these nodes. dist is known at the loop's header. The
- * longest round is taken as often as the source says, then the way out of the loop. */
-static bool pass_loop(struct search *search, const int *members, int count, int header, long *dist)
-{
-    int outer = search->part[header], inner = ++search->parts;
-    long *inner_dist = malloc((size_t)search->function->node_count * sizeof *inner_dist);
-    long rounds = 1, turn, before = dist[header];
-    bool is_good, never_ends;
-
-    if (inner_dist == NULL) {
-        abort();
-    }
-    for (int i = 0; i < count; i++) {
-        search->part[members[i]] = inner;
-    }
-    never_ends = is_endless(search, members, count, inner);
-    is_good = longest(search, inner, header, inner_dist, &turn) &&
-              (never_ends || find_rounds(search, members, count, header, &rounds));
-    if (is_good && never_ends) {
-        search->endless = turn;
-    }
-    for (int i = 0; i < count && is_good; i++) {
-        dist[members[i]] = before + rounds * turn + inner_dist[members[i]];
-    }
-    for (int i = 0; i < count; i++) {
-        search->part[members[i]] = outer;
-    }
-    free(inner_dist);
-    return is_good;
-}
-
-/* Cycles of one instruction, with those of the function that it calls. */
-static bool cost(struct search *search, int at, long *cycles)
-{
-    const struct node *node = &search->function->nodes[at];
-    long callee = 0;
-
-    if (node->it.course == COURSE_CALL) {
-        search->flow->callers[node->it.target] = node->address;
-        search->flow->owners[node->address] = search->entry;
-        if (!flow_cycles(search->flow, node->it.target, false, &callee)) {
-            return false;
-        }
-    }
-    *cycles = node->it.cycles + callee;
-    return true;
-}
-
-/* Extends the path that ends in AT to the successors of AT outside its component. */
-static void relax(const struct components *found, int at, long *dist)
-{
-    const struct function *function = found->search->function;
-    const struct node *node = &function->nodes[at];
-
-    for (int i = node->first; i < node->first + node->count; i++) {
-        int to = function->successors[i];
-
-        if (is_edge(found, to) && found->component[to] != found->component[at] &&
-            dist[at] > dist[to]) {
-            dist[to] = dist[at];
-        }
-    }
-}
-
-/* One component: before, dist is the longest time up to each of its nodes; afterwards, the longest
- * time to the end of each. */
-static bool pass_component(struct search *search, const struct components *found,
-                           const int *members, int count, long *dist)
-{
-    long cycles;
-    int header = NONE;
-
-    if (!is_loop(found, members, count)) {
-        if (!cost(search, members[0], &cycles)) {
-            return false;
-        }
-        dist[members[0]] += cycles;
-        return true;
-    }
-    for (int i = 0; i < count; i++) {
-        if (dist[members[i]] < 0) {
-            continue;
-        }
-        if (header != NONE) {
-            return complain(search->flow, search->function->nodes[members[i]].address,
-                            "a loop with two entries; take the jump into it away");
-        }
-        header = members[i];
-    }
-    return pass_loop(search, members, count, header, dist);
-}
-
-/* Finds for each node of the PART dist, the most cycles from the start of HEADER to the end of the
- * node; and turn, the most cycles from HEADER back to HEADER, 0 if there is no way back. */
-static bool longest(struct search *search, int part, int header, long *dist, long *turn)
-{
-    int nodes = search->function->node_count;
-    struct components found = {.search = search, .part = part, .header = header};
-    int *room = calloc((size_t)nodes * 5, sizeof *room);
-    bool is_good = true;
-
-    if (room == NULL) {
-        abort();
-    }
-    found.order = room;
-    found.low = room + nodes;
-    found.component = room + 2 * nodes;
-    found.stack = room + 3 * nodes;
-    found.sorted = room + 4 * nodes;
-    for (int i = 0; i < nodes; i++) {
-        found.component[i] = NONE;
-        dist[i] = NONE;
-    }
-    visit(&found, header);
-    dist[header] = 0;
-    for (int end = found.sorted_count; end > 0 && is_good;) {
-        int begin = end - 1;
-
-        while (begin > 0 &&
-               found.component[found.sorted[begin - 1]] == found.component[found.sorted[begin]]) {
-            begin--;
-        }
-        is_good = pass_component(search, &found, &found.sorted[begin], end - begin, dist);
-        for (int i = begin; i < end && is_good; i++) {
-            relax(&found, found.sorted[i], dist);
-        }
-        end = begin;
-    }
-    *turn = 0;
-    for (int i = 0; i < nodes && is_good; i++) {
-        const struct node *node = &search->function->nodes[i];
-
-        for (int k = node->first; k < node->first + node->count; k++) {
-            if (search->function->successors[k] == header && search->part[i] == part &&
-                dist[i] > *turn) {
-                *turn = dist[i];
-            }
-        }
-    }
-    free(room);
-    return is_good;
-}
-
-bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
-{
-    struct function *function;
-    struct search search = {.flow = flow, .entry = entry, .endless = NONE};
-    long *dist, turn;
-    bool is_good;
-
-    if (!follow_function(flow, entry)) { /* nothing but a jump may have led to it */
-        return false;
-    }
-    search.function = function = flow->functions[entry];
-    if (function->cycles != NONE && !is_round) {
-        *cycles = function->cycles;
-        return true;
-    }
-    dist = malloc((size_t)function->node_count * sizeof *dist);
-    search.part = calloc((size_t)function->node_count, sizeof *search.part);
-    search.is_claimed = calloc((size_t)function->node_count, sizeof *search.is_claimed);
-    if (dist == NULL || search.part == NULL || search.is_claimed == NULL) {
-        abort();
-    }
-    is_good = longest(&search, 0, 0, dist, &turn);
-    *cycles = 0;
-    for (int i = 0; i < function->node_count && is_good; i++) {
-        if (function->nodes[i].it.course == COURSE_RETURN && dist[i] > *cycles) {
-            *cycles = dist[i];
-        }
-    }
-    if (is_good && is_round) {
-        *cycles = search.endless;
-        is_good = search.endless != NONE ||
-                  complain(flow, entry, "has no endless loop to take a round of");
-    } else if (is_good && search.endless != NONE) {
-        is_good = complain(flow, entry, "never returns");
-    } else if (is_good) {
-        function->cycles = *cycles;
-    }
-    free(dist);
-    free(search.part);
-    free(search.is_claimed);
-    return is_good;
 }
 
 void flow_init(struct flow *flow, const struct hexfile *hex, const struct listing *listing,
@@ -679,6 +503,7 @@ void flow_free(struct flow *flow)
         if (flow->functions[i] == NULL) {
             continue;
         }
+        graph_forget(flow->functions[i]);
         free(flow->functions[i]->nodes);
         free(flow->functions[i]->successors);
         free(flow->functions[i]);

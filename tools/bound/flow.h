@@ -7,6 +7,7 @@
 
 #include "hexfile.h"
 #include "listing.h"
+#include "values.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -30,7 +31,9 @@ struct flow {
         callers[HEX_CODE_SIZE]; /* of a function: the call that the search for cycles took last */
     uint16_t owners[HEX_CODE_SIZE]; /* of such a call: the function that it is in */
     long rounds[HEX_CODE_SIZE];     /* of each loop of the function at this address; 0: not given */
-    uint8_t high;                   /* interrupts of the high priority level: bits as in vectors */
+    uint16_t entry;                 /* of the function that is looked at */
+    struct values_world world;
+    uint8_t high; /* interrupts of the high priority level: bits as in vectors */
 };
 
 /* Each function from here on that returns bool returns false after a message on stderr: the image
@@ -46,6 +49,9 @@ bool flow_follow(struct flow *flow);
 /* Returns whether the vector N, 0..FLOW_INTERRUPTS-1, is in use, and sets *ENTRY to the address of
  * its routine. */
 bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry);
+
+/* Follows the function at ENTRY, too, which nothing may have called. */
+bool flow_follow_function(struct flow *flow, uint16_t entry);
 
 /* The most bytes of stack that a call of ENTRY takes, with its own return address and all that the
  * functions which it calls take. */

@@ -35,16 +35,19 @@ void listing_free(struct listing *listing)
     }
 }
 
-/* SDCC writes an underscore before a C name. If two files have a static function of one name, the
- * first one is taken.
- */
+/* SDCC writes an underscore before a C name; a name without is one of assembly, or what the linker
+ * and the debugger say of areas ("s_CSEG") and lines ("C$x.c$1"). If two files have a static
+ * function of one name, the first one is taken. */
 static void name_it(struct listing *listing, unsigned long address, const char *name, size_t length)
 {
-    if (address >= HEX_CODE_SIZE || listing->names[address] != NULL || length < 2 ||
-        name[0] != '_') {
+    bool is_c = length > 1 && name[0] == '_';
+
+    if (address >= HEX_CODE_SIZE || listing->names[address] != NULL || length == 0 ||
+        strncmp(name, "s_", 2) == 0 || strncmp(name, "l_", 2) == 0 || name[0] == '.' ||
+        memchr(name, '$', length) != NULL) {
         return;
     }
-    listing->names[address] = copy(name + 1, length - 1);
+    listing->names[address] = copy(name + is_c, length - is_c);
 }
 
 /* The position in a listing: the current area and the current source line. */

@@ -150,16 +150,30 @@ static int print_stack(struct flow *flow, int iram)
         most, room);
 }
 
+/* The address of the function NAME, as C knows it or as the assembler does, with one more
+ * underscore; or -1 after a message. */
+static long find(const struct flow *flow, const char *name)
+{
+    long entry = listing_find(flow->listing, name);
+
+    if (entry < 0 && name[0] == '_') {
+        entry = listing_find(flow->listing, name + 1);
+    }
+    if (entry < 0) {
+        diag_error(flow->path, 0,
+                   "no function '%s' in it; its .map and .rst files name those that are", name);
+    }
+    return entry;
+}
+
 static int print_cycles(struct flow *flow, const struct arguments *arguments)
 {
     for (int i = 0; i < arguments->name_count; i++) {
         const char *name = arguments->names[i];
-        long entry = listing_find(flow->listing, name), cycles;
+        long entry = find(flow, name), cycles;
 
         if (entry < 0) {
-            return diag_error(flow->path, 0,
-                              "no function '%s' in it; its .map and .rst files name those that are",
-                              name);
+            return EXIT_INPUT;
         }
         if (!flow_cycles(flow, (uint16_t)entry, arguments->is_round[i], &cycles)) {
             return EXIT_INPUT;
@@ -183,11 +197,9 @@ static int take_loops(struct flow *flow, const struct arguments *arguments)
                        arguments->loops[i]);
             return EXIT_USAGE;
         }
-        entry = listing_find(flow->listing, name);
+        entry = find(flow, name);
         if (entry < 0) {
-            return diag_error(flow->path, 0,
-                              "no function '%s' in it; its .map and .rst files name those that are",
-                              name);
+            return EXIT_INPUT;
         }
         flow->rounds[entry] = rounds;
     }
