@@ -37,19 +37,26 @@ SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIM
 # The identity of an image without its table (identity.h).
 identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
+# All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
+SDCC_VERSION := $(shell sdcc --version 2>/dev/null | head -n 1 | tr -cd '[:alnum:]. ')
+settings_of  = $(subst ',,$(SDCC_VERSION) $(SDCC) $(SDCC_FLAGS) $(SDCC_LINK) $($(1)_FLAGS) $($(1)_TABLE) $($(1)_FISTAB) $($(1)_MODULES) \
+    $($(1)_CYCLES) $(identity_of) $(IDENTITY_AT))
 
 firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
 
 # Compiles any C file of the tree with the settings of one image. Whatever makes a part of an image
 # removes the image first: a build that fails leaves none behind.
 define compile_rules
-$(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+$(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp tools/no_atomics.sh
 	@mkdir -p $$(@D)$(if $(2),; rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
 	$$(Q)tools/no_atomics.sh $$@
 endef
+# The stamp changes when a setting does, so that objects of other settings are never linked.
 define image_rules
-$(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/board.stamp
+$(OUT)/$(1)/image.stamp: FORCE
+	@mkdir -p $$(@D); echo '$(settings_of)' | cmp -s - $$@ || { rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; echo '$(settings_of)' >$$@; }
+$(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/$(1)/image.stamp
 	@mkdir -p $$(@D); rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex
 	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
 $(call compile_rules,$(1),firmware/)
@@ -68,11 +75,6 @@ $(foreach image,$(ALL_IMAGES),$(eval $(call image_rules,$(image))))
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
 	@tools/memory.sh $(BOARD) $* $(OUT)
-
-# The stamp changes when a knob does, so that objects of other settings are never linked.
-SETTINGS = $(TABLE) $(BRAKE_KNOBS) $(foreach image,$(ALL_IMAGES),$($(image)_FISTAB)) $(BRAKE_CYCLES) $(subst ',,$(SDCC_FLAGS))
-$(OUT)/board.stamp: FORCE
-	@mkdir -p $(@D); echo '$(SETTINGS)' | cmp -s - $@ || echo '$(SETTINGS)' >$@
 
 # The flasher that suits the chip, its wiring and, when it is missing, where to get it.
 HEX = $(OUT)/$(APP).hex

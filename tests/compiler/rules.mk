@@ -15,7 +15,7 @@ STEPS_SIM := $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) 
 
 compiler-images: $(STEPS_IMAGES:%=$(STEPS_OUT)/%/steps.ihx) $(STEPS_IMAGES:%=$(STEPS_OUT)/%/steps)
 define steps_rules
-$(STEPS_OUT)/$(1)/%.rel: tests/compiler/%.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+$(STEPS_OUT)/$(1)/%.rel: tests/compiler/%.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
 $(STEPS_OUT)/$(1)/shipped/%.rel: $(OUT)/$(1)/%.rel
@@ -24,7 +24,7 @@ $(STEPS_OUT)/$(1)/shipped/%.rel: $(OUT)/$(1)/%.rel
 $(STEPS_OUT)/$(1)/steps.ihx: $(patsubst %,$(STEPS_OUT)/$(1)/%.rel,chip words lib $(controller_of)) \
         $(patsubst %,$(STEPS_OUT)/$(1)/shipped/%.rel,$(steps_modules))
 	$$(Q)$(SDCC) $$^ -o $$@
-$(STEPS_OUT)/$(1)/%.o: %.c $(OUT)/$(1)/lut_table.h $(OUT)/board.stamp
+$(STEPS_OUT)/$(1)/%.o: %.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp
 	@mkdir -p $$(@D)
 	$$(Q)$(CC) -O2 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) -Itools/drive/sim -I$(OUT)/$(1) -c $$< -o $$@
 $(STEPS_OUT)/$(1)/steps: $(patsubst %,$(STEPS_OUT)/$(1)/tests/compiler/%.o,host words lib $(controller_of)) \

@@ -24,6 +24,22 @@ build/drive run --board generic8052 --hex "$out/brake.ihx" --scenario tests/loop
 check "STOP_MM, STEP_MS: at 1.35 m it stands in STOP, a reading each 80 ms" \
     awk -F, '/^[0-9]+,.*,STOP,0/ { if ($2 - before == 80) steps++; before = $2 } END { exit steps < 5 }' "$out/said"
 
+# A change of a flag in a NAME.mk or of the version builds anew; one that fails leaves no image.
+image=(make -s BOARD=generic8052 OUT="$out/stale" "$out/stale/follow.hex")
+"${image[@]}" >/dev/null || exit 2
+cp "$out/stale/follow.ihx" "$out/before.ihx"
+check "nothing is built twice" [ -z "$("${image[@]}")" ]
+"${image[@]}" 'follow_FLAGS=-DSERVO -DFOLLOW_AS_PUBLISHED' >/dev/null
+say "other flags build" $? "they do not"
+! cmp -s "$out/before.ihx" "$out/stale/follow.ihx"
+say "other flags make another image" $? "it is the old one"
+refuses "flags that SDCC does not know" 2 "error" "${image[@]}" follow_FLAGS=-DCLK_HZ=0
+[ ! -e "$out/stale/follow.ihx" ] && [ ! -e "$out/stale/follow.hex" ]
+say "and leave no image" $? "there is one"
+"${image[@]}" VERSION=9.9 >/dev/null
+objcopy -I ihex -O binary "$out/stale/follow.ihx" "$out/follow.bin"
+check "another version is in the image" grep -aq "fuzzy51 9.9 follow generic8052 " "$out/follow.bin"
+
 report=(tools/report/report.sh stc89c516rd)
 export REPORT_OUT=$out/report
 refuses "an image that is not there" 2 "no image 'nosuch'; the images are: brake tuned classic" env IMAGES='gap nosuch' "${report[@]}"
