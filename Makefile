@@ -67,7 +67,7 @@ all: tools firmware   ## tools, and the firmware of all boards with the memory t
 include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
 
 # These install what they need first.
-TARGETS := demo sim unit unit-chip report bench test test-long attack prove fuzz pictures
+TARGETS := demo sim unit unit-chip report bench test test-long attack prove test-prove fuzz pictures
 .PHONY: $(TARGETS)
 demo:      ## the real firmware in the simulator, on a telling drive of APP, with a picture
 sim:       ## one drive: make sim APP=park SCENARIO=tests/loop/park/t1_demo.scn
@@ -79,10 +79,11 @@ test:      ## the tests; ends with 'N passed, N failed'
 test-long: ## the two engines beside each other on every drive; the brake with the other estimator
 attack:    ## 10,000 drives of chance for each law of the brake; fails if one in a thousand is odd
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
+test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail
 fuzz:      ## odd input for fistab, for FUZZ_SECONDS
 pictures:  ## the pictures in docs/pictures
 $(TARGETS):
-	@tools/deps.sh $(firstword $(subst -, ,$@))
+	@tools/deps.sh $(firstword $(subst -, ,$(@:test-prove=prove)))
 	@$(MAKE) run-$@
 
 flash:     ## writes build/BOARD/APP.hex to a chip: make flash BOARD=NAME PORT=DEVICE

@@ -25,6 +25,7 @@ static __bit is_believed, is_within;
     predicate brake_is_settled =
         (brake.stop <==> !brake.overridden && (is_within || latch_state != LATCH_OPEN)) &&
         brake.brake_pct == (brake.overridden ? 0 : brake.stop ? 100 : demand_pct) &&
+        brake.state <= BRAKE_FAULT &&
         (brake.state == BRAKE_FAULT <==> fault_state != FAULT_GOOD); */
 /* What the pins do, from what was decided. */
 /*@ assigns brake.brake_pct, brake.stop, brake.state;

@@ -58,7 +58,8 @@ extern struct brake_output brake;
 /*@ requires fault <= BRAKE_FAULT_IDLE;
     ensures !brake.overridden && !brake.stop;
     ensures fault != BRAKE_FAULT_NONE ==>
-                brake.state == BRAKE_FAULT && brake.brake_pct == FAULT_PCT; */
+                brake.state == BRAKE_FAULT && brake.brake_pct == FAULT_PCT;
+    ensures fault >= BRAKE_FAULT_TABLE ==> fault_state == FAULT_LASTING; */
 void brake_init(uint8_t fault);
 
 /* Goes to FAULT for one of the lasting faults, unless one is there. */

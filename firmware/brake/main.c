@@ -48,6 +48,15 @@ static const char __code OFF[] = "# telemetry off\r\n";
 static const char __code *const __code STATES[] = {"RELEASED", "CONTROL", "STOP", "FAULT"};
 static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
 
+/* Holds from the start on; pin_ is what tests/prove/pins.h sees at the pins. */
+/*@ predicate main_is_valid =
+        brake_is_valid && brake_is_settled && !is_within &&
+        table_test <= SELFTEST_FAILED &&
+        (phase == PHASE_TEST ==> !is_measuring && pin_stop && pin_brake_pct == 100); */
+
+/*@ requires brake.brake_pct <= 100;
+    assigns pin_stop, pin_brake_pct;
+    ensures pin_stop == brake.stop && pin_brake_pct == brake.brake_pct; */
 static void apply(void)
 {
     hal_stop_set(brake.stop);
@@ -55,6 +64,8 @@ static void apply(void)
 }
 
 /* One line a control step; dropped, and counted, when the one before is not out. */
+/*@ requires brake.state <= BRAKE_FAULT;
+    assigns dropped, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void report(void)
 {
     uint16_t speed_mmps = CLOSING_LAW.closing_mmps;
@@ -88,6 +99,10 @@ static void report(void)
 }
 
 /* From the end of the echo, or of the wait for it, to the pins. */
+/*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_ECHO_DONE;
+    ensures brake_is_valid && brake_is_settled && !is_measuring;
+    ensures phase == \old(phase) && table_test == \old(table_test);
+    ensures pin_stop == brake.stop && pin_brake_pct == brake.brake_pct; */
 static void control_step(uint8_t echo)
 {
     uint8_t kind = RANGE_NOT_RISEN;
@@ -109,6 +124,8 @@ static void control_step(uint8_t echo)
 }
 
 /* A measurement is over: the brake first, all else after it. */
+/*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_ECHO_DONE;
+    ensures main_is_valid && phase == \old(phase); */
 static void conclude(uint8_t echo)
 {
     control_step(echo);
@@ -118,6 +135,8 @@ static void conclude(uint8_t echo)
 }
 
 /* Between the loop's parts, so that an echo waits for one of them at most. */
+/*@ requires main_is_valid;
+    ensures main_is_valid && phase == \old(phase); */
 static void poll(void)
 {
     if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
@@ -125,6 +144,8 @@ static void poll(void)
     }
 }
 
+/*@ requires main_is_valid && phase != PHASE_TEST;
+    ensures main_is_valid && phase == \old(phase); */
 static void measure(void)
 {
     uint8_t elapsed_cs = (uint8_t)(tick - triggered);
@@ -139,6 +160,10 @@ static void measure(void)
     brake_expect(elapsed_cs);
 }
 
+/*@ requires fault <= BRAKE_FAULT_IDLE && table_test <= SELFTEST_FAILED;
+    ensures main_is_valid && phase == PHASE_RUN;
+    ensures t9_fails: fault >= BRAKE_FAULT_TABLE ==>
+                fault_state == FAULT_LASTING && pin_brake_pct >= FAULT_PCT; */
 static void finish_selftest(uint8_t fault)
 {
     phase = PHASE_RUN;
@@ -148,6 +173,10 @@ static void finish_selftest(uint8_t fault)
 }
 
 /* The brake stays on until all is found good. */
+/*@ requires main_is_valid && phase == PHASE_TEST;
+    ensures main_is_valid;
+    ensures t9_passed: phase != PHASE_TEST && fault_state == FAULT_GOOD ==>
+                \old(table_test) == SELFTEST_PASSED; */
 static void test(void)
 {
     uint8_t fault = BRAKE_FAULT_NONE;
@@ -171,6 +200,7 @@ static void test(void)
     finish_selftest(fault);
 }
 
+/*@ assigns \nothing; */
 static void show(void)
 {
     uint8_t pattern = LAMP_OFF;
@@ -186,6 +216,7 @@ static void show(void)
     hal_buzzer_set(brake.warn);
 }
 
+/*@ assigns seconds, milliseconds; */
 static void advance_clock(void)
 {
     milliseconds += HAL_TICK_MS;
@@ -196,6 +227,7 @@ static void advance_clock(void)
 }
 
 /* The next command stays in the UART until the one before it is answered. */
+/*@ assigns command; */
 static void listen(void)
 {
     if (command == 0) {
@@ -207,6 +239,7 @@ static void listen(void)
     }
 }
 
+/*@ assigns telemetry_values[0 .. 1]; */
 static void title(void)
 {
     telemetry_values[0].text = identity;
@@ -214,6 +247,8 @@ static void title(void)
     telemetry_say(TITLE);
 }
 
+/*@ requires brake.state <= BRAKE_FAULT;
+    assigns telemetry_values[0 .. 3]; */
 static void status(void)
 {
     telemetry_values[0].text = STATES[brake.state];
@@ -224,6 +259,8 @@ static void status(void)
 }
 
 /* Unknown input is answered, never obeyed. */
+/*@ requires brake.state <= BRAKE_FAULT;
+    assigns command, is_talking, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void answer(void)
 {
     char asked = command;
@@ -252,6 +289,8 @@ static void answer(void)
     }
 }
 
+/*@ requires brake.state <= BRAKE_FAULT;
+    assigns command, is_talking, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void talk(void)
 {
     char c;
@@ -267,6 +306,7 @@ static void talk(void)
     }
 }
 
+/*@ requires pin_stop && pin_brake_pct == 100 && table_test <= SELFTEST_FAILED; */
 void main(void)
 {
     /* Must be first: the pins are safe, the clock runs. */
@@ -281,6 +321,7 @@ void main(void)
     stack_unused = hal_stack_unused();
     tick = hal_ticks();
 
+    /*@ loop invariant t9_on: main_is_valid; */
     for (;;) {
         /* Every round, less than a millisecond. */
         if (phase == PHASE_TEST) {

@@ -14,7 +14,8 @@
 
 /* Returns whether the lamp is lit now. Call it each 1/100 s. `pattern` is LAMP_OFF, LAMP_ON,
  * LAMP_FLICKER or 2..9; a new pattern starts at once with light. */
-/*@ ensures pattern == LAMP_OFF ==> !\result;
+/*@ assigns \nothing;
+    ensures pattern == LAMP_OFF ==> !\result;
     ensures pattern == LAMP_ON ==> \result; */
 bool lamp_tick(uint8_t pattern);
 

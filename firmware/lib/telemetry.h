@@ -18,6 +18,7 @@ extern __idata union telemetry_value telemetry_values[TELEMETRY_VALUES];
 
 /* Returns whether a line is still being sent. Then the values must not change and telemetry_say
  * must not be called. */
+/*@ assigns \nothing; */
 bool telemetry_is_busy(void);
 
 /* Starts a line. `format` is a text that may contain, at most TELEMETRY_VALUES times in all,
@@ -26,11 +27,13 @@ bool telemetry_is_busy(void);
  *     %m  a number below 1000 as three digits, but as %u if the value before it was 0:
  *         "%o%m" prints seconds and milliseconds as milliseconds
  * %m must not be the first value. Nothing checks the format. */
-/*@ requires format != \null; */
+/*@ requires format != \null;
+    assigns \nothing; */
 void telemetry_say(const char __code *format);
 
 /* Returns the next character of the line, or 0 when the line is out. At most 1,540 mc, as
  * tools/bound finds. */
+/*@ assigns \nothing; */
 char telemetry_next(void);
 
 #endif

@@ -7,6 +7,10 @@
 #include "__fc_builtin.h"
 #include "hal.h"
 
+/* What is at the pins, as in pins.h. */
+uint8_t pin_brake_pct = 100;
+bool pin_stop = true;
+
 static uint8_t any_byte(void)
 {
     return (uint8_t)Frama_C_unsigned_char_interval(0, 255);
@@ -47,9 +51,11 @@ bool hal_echo_is_high(void)
 void hal_brake_set(uint8_t brake_pct)
 {
     /*@ assert duty: brake_pct <= 100; */
+    pin_brake_pct = brake_pct;
 }
 void hal_stop_set(bool on)
 {
+    pin_stop = on;
 }
 void hal_lamp_set(bool on)
 {

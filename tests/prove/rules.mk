@@ -16,3 +16,7 @@ build/prove/tried: tests/prove/tried.c $(wildcard firmware/lib/*.[ch])
 .PHONY: run-prove
 run-prove: $(PROVE_TABLES) build/prove/tried
 	@tests/prove/prove.sh
+
+.PHONY: run-test-prove
+run-test-prove: $(PROVE_TABLES)
+	@tests/prove/test_prove.sh

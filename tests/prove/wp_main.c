@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* controller: brake
+ * functions: apply,report,control_step,conclude,poll,measure,finish_selftest,test,show,advance_clock,listen,title,status,answer,talk,main
+ *
+ * The brake's main loop, from reset on, whatever the machine delivers.
+ *
+ * theorem t9_on: from reset until the self-test is over the brake is fully on, with STOP
+ * theorem t9_passed: it ends without a lasting FAULT only if the table's check sum is right
+ * theorem t9_fails: a failed self-test ends in a lasting FAULT, with at least FAULT_PCT at the pin
+ */
+#include "bits.h"
+#include "pins.h"
+#include "identity.h"
+#include "range.c"
+#include "fixed.c"
+#include "closing.c"
+#include "target.c"
+#include "fault.c"
+#include "warning.c"
+#include "latch.c"
+#include "brake.c"
+#include "brake/main.c"
