@@ -5,7 +5,7 @@
 
 #include "mcs52_inside.h"
 
-#ifdef __OPTIMIZE__
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
