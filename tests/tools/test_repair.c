@@ -58,10 +58,10 @@ static void best_by_trying(const double *surface, const size_t *dims, int inputs
 
     for (;;) {
         size_t i = 0;
+        double sum = squares(surface, cells, count);
 
-        if (repair_violations(cells, dims, inputs, direction, NULL) == 0) {
-            double sum = squares(surface, cells, count);
-
+        /* The sum first: it is the cheaper one to look at. */
+        if (sum <= least && repair_violations(cells, dims, inputs, direction, NULL) == 0) {
             /* All sums are exact, as surface values are in quarters; later tables are not smaller
              * everywhere, so the largest of equals is taken cell by cell. */
             if (sum < least) {
