@@ -5,28 +5,32 @@ UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)
 
 include $(wildcard tests/*/rules.mk)
 
-# Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip;
-# the drives. s51 runs the brake on the default board, the fast engine all other drives: other boards,
-# other laws, other controllers and ten minutes at the STOP pin.
+# Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip; the
+# drives of each board, law and controller, and ten minutes at the STOP pin. s51 drives the brake on the
+# default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(LOOP_FOLDERS))
 OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) long,$(LOOP_FOLDERS))
 OTHER_BOARDS := $(filter-out $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
 ON_DEFAULT   := $(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
-FAST         := ENGINE=$(or $(ENGINE),fast)
+LAW_BOARD    := $(or $(BOARD),$(DEFAULT_BOARD))
 LONG_TESTS   := tests/tools/test_frame_seeds.sh
-TEST_SUITES  := $(TOOL_TESTS) $(filter-out $(LONG_TESTS),$(wildcard tests/tools/test_*.sh)) $(UNIT_TESTS) \
-    $(CHIP_TESTS:%='tests/run_chip.sh %') $(wildcard tests/chip/test_*.sh) \
-    $(ON_DEFAULT:%='tests/run_loop.sh %') $(OTHER_BOARDS:%='$(FAST) tests/run_loop.sh %') \
-    $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='$(FAST) tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
-    $(foreach law,$(BRAKE_LOOPS),'$(FAST) APP=$(law) tests/run_loop.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
-    $(patsubst %,'$(FAST) tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES)
+SHELL_TESTS  := $(filter-out $(LONG_TESTS),$(wildcard tests/tools/test_*.sh tests/chip/test_*.sh))
+TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %') \
+    $(SHELL_TESTS) $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
+    $(OTHER_BOARDS:%='tests/run_loop.sh %') \
+    $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
+    $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(LAW_BOARD) tests/loop/$(law)') \
+    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES)
 
-# Slow tests: both engines on all that the fast one drives in `test`, but the ten minutes; every drive of
-# the brake with the other estimator; the long run of chip against host.
-LONG_SUITES := $(LONG_TESTS) 'MCS52_STATES=10000 build/tests/tools/test_mcs52_s51' $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
+# Slow tests: in s51 what the fast engine runs in `test`, but the ten minutes, drives with their outcomes
+# compared; every drive of the brake with the other estimator; the long run of chip against host.
+ENGINE_TESTS := $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
+LONG_SUITES  := $(LONG_TESTS) 'MCS52_STATES=10000 build/tests/tools/test_mcs52_s51' \
+    $(ENGINE_TESTS:%='ENGINE=s51 %') $(CHIP_TESTS:%='ENGINE=s51 tests/run_chip.sh %') \
+    $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%')) \
-    $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/compare_engines.sh $(or $(BOARD),$(DEFAULT_BOARD)) tests/loop/$(law)') \
+    $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/compare_engines.sh $(LAW_BOARD) tests/loop/$(law)') \
     'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)' $(STEPS_LONG_SUITES)
 
 # `make unit TEST=NAME` runs one file, tests/unit/test_NAME.c or tests/tools/test_NAME.c; without TEST
@@ -41,15 +45,16 @@ WANTED_CHIPS := $(filter %/test_$(or $(TEST),%).ihx,$(CHIP_TESTS))
 .PHONY: run-unit run-unit-chip
 run-unit: $(WANTED_UNITS)
 	@tests/run.sh $^
-run-unit-chip: $(WANTED_CHIPS)
+run-unit-chip: $(WANTED_CHIPS) $(FAST_CHIPS)
 	$(if $^,,$(error test '$(TEST)' is not one of the chip's; these are: $(patsubst test_%.ihx,%,$(notdir $(CHIP_TESTS)))))
 	@tests/run.sh $(^:%='tests/run_chip.sh %')
 
 .PHONY: test-build run-test run-test-long
-test-build: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) compiler-build
+test-build: all grid $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) $(FAST_CHIPS) compiler-build
 run-test:
 	@$(MAKE) -j$$(nproc) test-build
-	@tests/run.sh $(TEST_SUITES)
-run-test-long: all build/tests/tools/test_mcs52_s51 compiler-build-all
+	@ENGINE=$(or $(ENGINE),fast) tests/run.sh $(TEST_SUITES)
+run-test-long:
+	@$(MAKE) -j$$(nproc) test-build compiler-build-all
 	@$(MAKE) BOARD=$(DEFAULT_BOARD) ESTIMATOR=smooth OUT=build/smooth build/smooth/brake.ihx
 	@tests/run.sh $(LONG_SUITES)
