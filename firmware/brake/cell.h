@@ -15,14 +15,14 @@
 
 /* Returns the row of a distance, 0..LUT_IN1_CELLS - 1. For the published table at most 47 mc. */
 /*@ assigns \nothing;
-    ensures \result < LUT_IN1_CELLS; */
+    ensures tried: \result < LUT_IN1_CELLS; */
 uint8_t cell_row(uint16_t dist_mm);
 
 /* Returns the column of a speed, 0..LUT_IN2_CELLS - 1. At least one of the two speeds must be 0.
  * For the published table at most 47 mc. */
 /*@ requires closing_mmps == 0 || opening_mmps == 0;
     assigns \nothing;
-    ensures \result < LUT_IN2_CELLS; */
+    ensures tried: \result < LUT_IN2_CELLS; */
 uint8_t cell_col(uint16_t closing_mmps, uint16_t opening_mmps);
 
 /* Returns the brake force in the cell, 0..100 percent. A table with fewer than 100 levels is

@@ -14,10 +14,15 @@
 #define SLACK_COLS 2U
 #endif
 
+/* Holds from the start on: nothing but the two functions below changes them. */
 static uint8_t held_row, held_col;
 
 __data struct law_answer law_answer;
 
+/*@ predicate law_is_valid = held_row < LUT_IN1_CELLS && held_col < LUT_IN2_CELLS; */
+
+/*@ assigns held_row, held_col;
+    ensures law_is_valid && held_row == CELL_ROWS_LAST && held_col == 0; */
 void law_restart(void)
 {
     held_row = CELL_ROWS_LAST;
@@ -26,6 +31,10 @@ void law_restart(void)
 
 /* Nearer and faster cells are taken at once; further and slower ones only from the slack on, so
  * that a noisy sensor at a constant gap does not make the brake chatter. */
+/*@ requires law_is_valid;
+    assigns held_row, held_col;
+    ensures law_is_valid && law_answer.row == held_row && law_answer.col == held_col;
+    ensures worth < TARGET_NEW ==> law_answer.brake_pct == 0; */
 void law_step(uint8_t worth, uint16_t dist_mm)
 {
     uint8_t row = cell_row(dist_mm),

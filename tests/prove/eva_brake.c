@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The brake, whatever its sensor, its driver and its serial line do: no run-time error, for ever. */
+/* The brake, with the published law or, by eva_tuned.c, with the tuned one, whatever its sensor, its driver and its serial line do: no run-time error, for ever. */
 #include "hal.h"
 #include "machine.h"
 
@@ -17,7 +17,12 @@ const char identity[] = "any";
 #include "fault.c"
 #include "warning.c"
 #include "cell.c"
+#ifdef ESTIMATOR_smooth
+#include "ease.c"
+#include "law_tuned.c"
+#else
 #include "law_fuzzy.c"
+#endif
 #include "brake.c"
 #include "brake/main.c"
 

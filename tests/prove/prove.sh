@@ -16,14 +16,17 @@ out=build/prove
 mkdir -p "$out"
 why3 config list-provers 2>/dev/null | grep -q Z3 || why3 config detect >"$out/why3.log" 2>&1
 
-# Frama-C with the headers of the unit's controller, the table of which make has written to build/prove.
+# Frama-C with the headers of the unit's controller and its table, which make has written to build/prove. A unit
+# says "controller: NAME" and "table: NAME" if they are not what its own name says.
 run() { # UNIT OPTION...
-    local unit=$1 name=${1#*_} folder
+    local unit=$1 folder table
     shift
     folder=$(sed -n 's/.*controller: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
+    folder=${folder:-${unit#*_}}
+    table=$(sed -n 's/.*table: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
     # A function without contract and without code would be taken for one that does nothing.
-    frama-c -machdep x86_16 -kernel-warn-key annot:missing-spec=abort -cpp-extra-args="-Itests/prove -I$out/${folder:-$name} -Ifirmware -Ifirmware/lib \
-        -Ifirmware/frames -Ifirmware/mcu -Ifirmware/${folder:-$name} -DFAULT_PCT=60 -DCLK_HZ=12000000UL -I$(frama-c -print-share-path)/libc" \
+    frama-c -machdep x86_16 -kernel-warn-key annot:missing-spec=abort -cpp-extra-args="-Itests/prove -I$out/${table:-$folder} -Ifirmware -Ifirmware/lib \
+        -Ifirmware/frames -Ifirmware/mcu -Ifirmware/$folder -DFAULT_PCT=60 -DCLK_HZ=12000000UL -I$(frama-c -print-share-path)/libc" \
         "$@" "tests/prove/$unit.c" >"$out/$unit.log" 2>&1
 }
 
