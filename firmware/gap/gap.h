@@ -14,8 +14,8 @@
  *
  * The image gap_paper (GAP_AS_PUBLISHED) is this law alone. The other one adds:
  *
- *     set speed    u is at most (set - v) / 1 s, and -2 m/s2 at least for that; with no car ahead it
- *                  is that, at most 2 m/s2
+ *     set speed    u is at most (set - v) / 1 s, which itself is at least -2 m/s2; with no car
+ *                  ahead u is that, at most 2 m/s2
  *     lead state   `brakes` begins above 80 cm/s2, or at the fifth frame in a row above 20; it ends
  *                  at the tenth frame in a row below that. `stands` ends above 50 cm/s
  *     two frames   u is the smaller one of what the last two frames ask for: a single frame never
@@ -28,9 +28,9 @@
  *     CONTROL    FAULT      EMERGENCY                 -
  *     EMERGENCY  FAULT      -                         CONTROL
  *     FAULT      -          EMERGENCY                 CONTROL
- * Between both, WAITING and FAULT end in CONTROL. It comes too late if, with 7.5 of the 8 m/s2, less
- * than 0.5 m remains at any time while the lead keeps its present deceleration. 0.35 s are the next
- * reading, its frame, and dead time and lag of the brake; meanwhile the car goes on as it brakes now.
+ * Between both, WAITING and FAULT end in CONTROL. It comes too late if, with 7.5 of the 8 m/s2,
+ * less than 0.5 m remains at any time while the lead keeps its present deceleration. 0.35 s are the
+ * next reading, its frame, and dead time and lag of the brake; meanwhile the car brakes as now.
  *
  * Lengths are in cm, speeds in cm/s, accelerations in cm/s2; positive means faster. Roundings
  * belong to the specification: all of them make the car brake harder, by up to 0.17 m/s2. */
