@@ -19,6 +19,12 @@ static const int16_t __code to_change_mm_at[] = {-50, 50};
 
 struct follow follow;
 
+#if FOLLOW_YIELDS
+/* What the frame before asked for. */
+static int8_t asked_x2;
+static bool asked_lane;
+#endif
+
 /* How many of the thresholds are below the value: that is its cell. */
 /*@ requires thresholds <= 4 && \valid_read(threshold + (0 .. thresholds - 1));
     assigns \nothing;
@@ -101,6 +107,10 @@ void follow_init(void)
     follow.command_x2 = -2;
     follow.change_x2 = 0;
     follow.asks_for_lane = false;
+#if FOLLOW_YIELDS
+    asked_x2 = -2;
+    asked_lane = false;
+#endif
     set_outputs();
 }
 
@@ -121,6 +131,24 @@ bool follow_read(void)
     return true;
 }
 
+#if FOLLOW_YIELDS
+/* Of what the last two frames ask for. */
+static void take_the_more_careful(void)
+{
+    int8_t command_x2 = follow.command_x2;
+    bool asks_for_lane = follow.asks_for_lane;
+
+    if (asked_x2 < command_x2) {
+        follow.command_x2 = asked_x2;
+    }
+    if (!asked_lane) {
+        follow.asks_for_lane = false;
+    }
+    asked_x2 = command_x2;
+    asked_lane = asks_for_lane;
+}
+#endif
+
 void follow_decide(void)
 {
     follow.state = FOLLOW_CONTROL;
@@ -135,6 +163,7 @@ void follow_decide(void)
     if (follow.change_x2 != 0 && follow.lane_is_taken) {
         follow.command_x2 = -2;
     }
+    take_the_more_careful();
 #endif
     set_outputs();
 }
@@ -147,4 +176,8 @@ void follow_lose(uint8_t fault_pct)
     if (follow.brake_pct < fault_pct) {
         follow.brake_pct = fault_pct;
     }
+#if FOLLOW_YIELDS
+    asked_x2 = -2;
+    asked_lane = false;
+#endif
 }

@@ -6,8 +6,10 @@
  * sets are equal: gap 2, 4, 6, 8 m; closing speed -1 and 1 m/s; gap minus change distance -0.05 and
  * 0.05 m. On a threshold it is the mean of the cells on both sides, which can be half a command.
  *
- * One rule is not in the table: if the robot wants to change lanes but the next lane is taken, it
- * slows down. The published system has no such rule; see FOLLOW_AS_PUBLISHED. */
+ * Two rules are not in the table. If the robot wants to change lanes but the next lane is taken, it
+ * slows down. And of what the last two frames ask for, it does the more careful: a single frame
+ * never releases the brake, opens the throttle or asks for a lane. The published system has no such
+ * rules; see FOLLOW_AS_PUBLISHED. */
 #ifndef FUZZY51_FOLLOW_H
 #define FUZZY51_FOLLOW_H
 
@@ -22,7 +24,7 @@
 
 #define FOLLOW_CHANGE_MM 1000 /* the change distance */
 
-/* Whether the robot slows down when the next lane is taken; 0 for the system as published. */
+/* Whether the rules beside the table hold; 0 for the system as published. */
 #ifdef FOLLOW_AS_PUBLISHED
 #define FOLLOW_YIELDS 0
 #else

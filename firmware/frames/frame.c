@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Receives frames, byte by byte. */
 #include "frame.h"
-#include <stdbool.h>
 #include "crc16.h"
 
 #define START_BIT   0x80U
@@ -13,32 +12,40 @@
 __idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
 static __idata uint8_t start_and_kind; /* what the start byte must be, without its count */
-static __idata uint8_t body_bytes;     /* payload and check sum */
+static __idata uint8_t body_bytes;     /* payload, number of the measurement, check sum */
 static uint8_t filled;                 /* body bytes received so far */
 static uint8_t group_left; /* bytes still to come in this group; 0: the next byte is top bits */
 static uint8_t top_bits;
-static __idata uint8_t count;      /* of the frame that is being received */
-static __idata uint8_t count_last; /* of the last good one */
+static __idata uint8_t count;       /* of the frame that is being received */
+static __idata uint8_t count_last;  /* of the last good one */
+static __idata uint8_t number_last; /* of the measurement in the last good frame */
+static __idata uint8_t asked;       /* frames asked for since the last good one */
+static __idata uint8_t unanswered;  /* triggers since the last complete frame */
+static __idata uint8_t slow;        /* frames in a row after an unanswered trigger */
 static uint8_t crc_high, crc_low;
 static bool inside;          /* a start byte came, the last byte of its frame did not */
 static __idata uint16_t bad; /* frames */
 
 /* Holds from frame_init on. */
 /*@ predicate frame_is_valid =
-        3 <= body_bytes <= FRAME_BODY_MAX_BYTES && filled < body_bytes &&
+        4 <= body_bytes <= FRAME_BODY_MAX_BYTES && filled < body_bytes &&
         group_left <= GROUP_BYTES; */
 
-/*@ assigns start_and_kind, body_bytes, count_last, inside, filled, group_left, bad;
+/*@ assigns start_and_kind, body_bytes, count_last, inside, filled, group_left, bad, asked,
+            unanswered, slow;
     ensures frame_is_valid && !inside && bad == 0; */
 void frame_init(uint8_t kind, uint8_t payload_bytes)
 {
     start_and_kind = (uint8_t)(START_BIT | (kind << 4));
-    body_bytes = (uint8_t)(payload_bytes + 2);
+    body_bytes = (uint8_t)(payload_bytes + 3);
     count_last = COUNT_NONE;
     inside = false;
     filled = 0;
     group_left = 0;
     bad = 0;
+    asked = FRAME_ASKED_ANY;
+    unanswered = 0;
+    slow = 0;
 }
 
 /*@ assigns bad; */
@@ -47,6 +54,55 @@ void frame_refuse(void)
     if (bad != UINT16_MAX) {
         bad++;
     }
+}
+
+/*@ assigns inside, bad, asked, unanswered;
+    ensures !inside;
+    ensures \result <==> \old(inside); */
+bool frame_ask(void)
+{
+    bool is_late = inside;
+
+    if (is_late) {
+        inside = false;
+        unanswered = 0;
+        frame_refuse();
+    }
+    if (asked < FRAME_ASKED_ANY) {
+        asked++;
+    }
+    if (unanswered != UINT8_MAX) {
+        unanswered++;
+    }
+    return is_late;
+}
+
+/* A frame is complete: counts how slow the head is. */
+/*@ assigns unanswered, slow; */
+static void note_answer(void)
+{
+    if (unanswered > 1) {
+        if (slow < FRAME_SLOW_MAX) {
+            slow++;
+        }
+    } else if (unanswered == 1) {
+        slow = 0;
+    }
+    unanswered = 0;
+}
+
+/* Whether the number of a measurement follows that of the last good frame. */
+/*@ assigns \nothing;
+    ensures \result && asked < FRAME_ASKED_ANY ==>
+                1 <= (uint8_t)(number - number_last) <= asked + 1; */
+static bool is_fresh(uint8_t number)
+{
+    uint8_t more = (uint8_t)(number - number_last);
+
+    if (asked >= FRAME_ASKED_ANY) {
+        return true;
+    }
+    return asked != 0 && more != 0 && more <= (uint8_t)(asked + 1U);
 }
 
 /* A start byte. */
@@ -74,14 +130,18 @@ static uint8_t begin(uint8_t byte)
 
 /*@ requires frame_is_valid;
     assigns inside, count, count_last, filled, group_left, top_bits, crc_high, crc_low, bad,
-            frame_body[0 .. FRAME_BODY_MAX_BYTES - 1];
+            number_last, asked, unanswered, slow, frame_body[0 .. FRAME_BODY_MAX_BYTES - 1];
     ensures frame_is_valid;
     ensures crc_protects: \result == FRAME_GOOD ==> crc_high == 0 && crc_low == 0 && top_bits == 0;
     ensures count_protects: \result == FRAME_GOOD ==>
                 count != \old(count_last) && count_last == count;
+    ensures number_protects: \result == FRAME_GOOD && \old(asked) < FRAME_ASKED_ANY ==>
+                1 <= (uint8_t)(number_last - \old(number_last)) <= \old(asked) + 1;
     ensures \result != FRAME_GOOD ==> count_last == \old(count_last); */
 uint8_t frame_push(uint8_t byte)
 {
+    uint8_t number;
+
     if (byte & START_BIT) {
         return begin(byte);
     }
@@ -107,12 +167,17 @@ uint8_t frame_push(uint8_t byte)
 
     inside = false;
     filled = 0;
+    note_answer();
+    number = frame_body[(uint8_t)(body_bytes - 3U)];
     /* A right check sum, added to itself, gives 0. If top bits are left, an unused one was 1. */
-    if ((crc_high | crc_low | top_bits) != 0 || count == count_last) {
+    if ((crc_high | crc_low | top_bits) != 0 || count == count_last || !is_fresh(number) ||
+        slow >= FRAME_SLOW_MAX) {
         frame_refuse();
         return FRAME_BAD;
     }
     count_last = count;
+    number_last = number;
+    asked = 0;
     return FRAME_GOOD;
 }
 

@@ -4,12 +4,14 @@
  *     start   1 kkk cccc   the only byte of a frame with bit 7 set. kkk is the kind of the payload
  *                          (enum frame_kind). cccc is a count: it goes up by one each frame, and
  *                          from 15 to 0
- *     body    the payload, then CRC-16/CCITT-FALSE over start byte and payload, high byte first.
- *             The body is sent in groups of up to seven bytes. A group begins with one byte that
- *             holds their top bits (bit 0: the first byte's, bit 1: the second's, and so on; unused
- *             bits are 0). Then each byte follows without its top bit.
+ *     body    the payload, the number of the measurement, then CRC-16/CCITT-FALSE over start byte,
+ *             payload and number, high byte first. The number has one byte. Whoever measures, not
+ *             whoever sends, adds one to it with each measurement. The body is sent in groups of
+ *             up to seven bytes. A group begins with one byte that holds their top bits (bit 0:
+ *             the first byte's, bit 1: the second's, and so on; unused bits are 0). Then each byte
+ *             follows without its top bit.
  *
- * So n payload bytes always take 1 + (n + 2) + ceil((n + 2) / 7) bytes on the line; nothing is
+ * So n payload bytes always take 1 + (n + 3) + ceil((n + 3) / 7) bytes on the line; nothing is
  * escaped. A receiver that starts in the middle of a frame, or that loses or gains a byte, is in
  * step again at the next start byte: a frame that is cut short does not spoil the next one. Values
  * are big-endian; signed ones are two's complement.
@@ -24,12 +26,23 @@
  *     wrong check sum               FRAME_BAD
  *     the count of the last good frame again (the head repeats itself)   FRAME_BAD
  *     a frame of another kind       is ignored: it is for another receiver
+ *     a measurement's number that does not follow (see below)            FRAME_BAD
+ *     a frame is not complete when the next one is asked for             frame_ask drops it: it is
+ *                                                                        late, and counts as bad
  *     a payload value out of range  the user of the payload calls frame_refuse()
  * FRAME_BAD does not change what the last good frame said and is no sign of life. link.h decides
- * what happens when no good frame comes for LINK_SILENCE_MS. */
+ * what happens when no good frame comes for LINK_SILENCE_MS.
+ *
+ * The number of a measurement follows if it is larger than that of the last good frame, by at most
+ * one more than the frames that were asked for since. So these are bad: a frozen measurement with
+ * fresh counts, old frames in whatever order, and frames that nobody asked for. After
+ * FRAME_ASKED_ANY frames asked for without a good one any number follows: the head may have been
+ * started again. A head that FRAME_SLOW_MAX times in a row answers only every second trigger, or
+ * less often, is too slow: its frames are bad until it answers two triggers in a row. */
 #ifndef FUZZY51_FRAME_H
 #define FUZZY51_FRAME_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include "cc51.h"
 
@@ -43,14 +56,16 @@ enum frame_kind {
 enum frame_result {
     FRAME_NONE, /* the frame is not complete yet */
     FRAME_GOOD, /* a complete frame: read its payload before the next frame_push */
-    FRAME_BAD,  /* a frame was lost: wrong check sum, cut short, or repeated */
+    FRAME_BAD,  /* a frame was lost: wrong check sum, cut short, or not the one asked for */
 };
 
-#define FRAME_PAYLOAD_MAX_BYTES 14
-#define FRAME_BODY_MAX_BYTES    (FRAME_PAYLOAD_MAX_BYTES + 2)
+#define FRAME_PAYLOAD_MAX_BYTES 13
+#define FRAME_BODY_MAX_BYTES    (FRAME_PAYLOAD_MAX_BYTES + 3)
+#define FRAME_ASKED_ANY         64
+#define FRAME_SLOW_MAX          8
 
 /* The bytes of one frame on the line, for a payload of `bytes`. */
-#define FRAME_LINE_BYTES(bytes) (1 + ((bytes) + 2) + ((bytes) + 2 + 6) / 7)
+#define FRAME_LINE_BYTES(bytes) (1 + ((bytes) + 3) + ((bytes) + 3 + 6) / 7)
 
 /* The body of the frame that is being received. After FRAME_GOOD it begins with the payload. */
 extern __idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
@@ -60,7 +75,11 @@ extern __idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 /*@ requires 1 <= kind <= 7 && 1 <= payload_bytes <= FRAME_PAYLOAD_MAX_BYTES; */
 void frame_init(uint8_t kind, uint8_t payload_bytes);
 
-/* Takes one byte from the line and returns enum frame_result. Less than 150 mc. */
+/* Says that a trigger asks for a frame now. Returns whether it dropped a frame that was not
+ * complete, which counts as bad. */
+bool frame_ask(void);
+
+/* Takes one byte from the line and returns enum frame_result. Less than 200 mc. */
 /*@ ensures \result == FRAME_NONE || \result == FRAME_GOOD || \result == FRAME_BAD; */
 uint8_t frame_push(uint8_t byte);
 

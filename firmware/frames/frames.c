@@ -215,6 +215,9 @@ void frames_round(void)
         /* Every control step. */
         if (--until_trigger == 0) {
             until_trigger = app.period_ticks;
+            if (frame_ask()) {
+                link_bad();
+            }
             hal_trigger();
         }
     }

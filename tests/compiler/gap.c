@@ -31,6 +31,7 @@ void step(void)
     put_u16(gap.own_cmps);
     put_u16(gap.lead_cmps);
     put_u16((uint16_t)gap.lead_cmps2);
+    put_u16(gap.set_cmps);
     put_u16(gap.safe_cm);
     put_u16((uint16_t)gap.accel_cmps2);
     put(gap.brake_pct);
@@ -52,7 +53,8 @@ void draw(void)
     to = add_u16(to, draw_u16(0, chance(2) ? GAP_MAX_CM : 6000));
     to = add_u16(to, draw_u16(0, chance(2) ? GAP_SPEED_MAX_CMPS : 60));
     to = add_u16(to, draw_u16(0, chance(3) ? GAP_SPEED_MAX_CMPS : 8));
-    add_u16(to, (uint16_t)(draw_u16(0, 2 * GAP_LEAD_MAX_CMPS2) - GAP_LEAD_MAX_CMPS2));
+    to = add_u16(to, (uint16_t)(draw_u16(0, 2 * GAP_LEAD_MAX_CMPS2) - GAP_LEAD_MAX_CMPS2));
+    *to = (uint8_t)chance(chance(20) == 0 ? 256 : GAP_SET_MAX + 1);
     draw_frame(FRAME_GAP, payload, sizeof payload);
     give(chance(4) == 0);
     give((uint8_t)chance(101));

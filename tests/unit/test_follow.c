@@ -25,7 +25,49 @@ static void situation(uint16_t gap_mm, int16_t closing_mmps, bool lane_is_taken)
     follow.own_mmps = closing_mmps < 0 ? 0 : (uint16_t)closing_mmps;
     follow.lane_is_taken = lane_is_taken;
     follow_decide();
+    follow_decide();
 }
+
+#if FOLLOW_YIELDS
+static void one_frame(uint16_t gap_mm, uint16_t closing_mmps)
+{
+    follow.gap_mm = gap_mm;
+    follow.own_mmps = closing_mmps;
+    follow.lead_mmps = 0;
+    follow.lane_is_taken = false;
+    follow_decide();
+}
+
+static void test_one_frame_neither_releases_the_brake_nor_asks_for_a_lane(void)
+{
+    situation(800, 1800, false);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+    one_frame(9000, 0);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+    TEST_ASSERT_EQUAL_UINT16(1000, follow.throttle_us);
+    one_frame(800, 1800);
+    one_frame(9000, 0);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+    one_frame(9000, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, follow.brake_pct);
+    TEST_ASSERT_EQUAL_UINT16(2000, follow.throttle_us);
+    one_frame(800, 1800); /* more brake needs one frame only */
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+
+    one_frame(1500, 1800);
+    TEST_ASSERT_FALSE(follow.asks_for_lane);
+    one_frame(1500, 1800);
+    TEST_ASSERT_TRUE(follow.asks_for_lane);
+    one_frame(9000, 0);
+    TEST_ASSERT_FALSE(follow.asks_for_lane);
+
+    situation(1500, 1800, false);
+    follow_lose(60);
+    one_frame(1500, 1800);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+    TEST_ASSERT_FALSE(follow.asks_for_lane);
+}
+#endif
 
 /* Gap and closing speed in cm and cm/s, command and change in halves, for the safe rules. */
 static const struct {
@@ -270,6 +312,9 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_spot_values_are_the_printed_ones);
+#if FOLLOW_YIELDS
+    RUN_TEST(test_one_frame_neither_releases_the_brake_nor_asks_for_a_lane);
+#endif
     RUN_TEST(test_refused_change_brakes_unless_as_published);
     RUN_TEST(test_commands_become_brake_or_throttle);
     RUN_TEST(test_gap_beyond_the_table_is_a_far_one);

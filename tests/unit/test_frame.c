@@ -10,17 +10,18 @@
 
 static const uint8_t payload[PAYLOAD_BYTES] = {0x00, 0xFF, 0x80, 0x7F, 0x12, 0xA5};
 static uint8_t line[LINE_BYTES];
+static uint8_t number; /* of the measurement */
 
 /* The frame as a sensor head makes it, plainly: the sum bit by bit, the groups one by one. */
 static void encode(uint8_t kind, uint8_t count)
 {
-    uint8_t body[PAYLOAD_BYTES + 2];
+    uint8_t body[PAYLOAD_BYTES + 3];
     uint16_t crc = CRC16_START;
     uint8_t at, bit, in, out;
 
     line[0] = (uint8_t)(0x80 | (kind << 4) | count);
-    for (at = 0; at <= PAYLOAD_BYTES; at++) {
-        uint8_t byte = at == 0 ? line[0] : payload[at - 1];
+    for (at = 0; at <= PAYLOAD_BYTES + 1; at++) {
+        uint8_t byte = at == 0 ? line[0] : at <= PAYLOAD_BYTES ? payload[at - 1] : number;
         for (bit = 0; bit < 8; bit++) {
             uint8_t differs = (uint8_t)((crc >> 15) ^ (byte >> 7));
             crc = (uint16_t)(crc << 1);
@@ -30,18 +31,18 @@ static void encode(uint8_t kind, uint8_t count)
             byte = (uint8_t)(byte << 1);
         }
         if (at != 0) {
-            body[at - 1] = payload[at - 1];
+            body[at - 1] = at <= PAYLOAD_BYTES ? payload[at - 1] : number;
         }
     }
-    body[PAYLOAD_BYTES] = (uint8_t)(crc >> 8);
-    body[PAYLOAD_BYTES + 1] = (uint8_t)crc;
+    body[PAYLOAD_BYTES + 1] = (uint8_t)(crc >> 8);
+    body[PAYLOAD_BYTES + 2] = (uint8_t)crc;
 
     out = 0;
-    for (in = 0; in < PAYLOAD_BYTES + 2; in++) {
+    for (in = 0; in < PAYLOAD_BYTES + 3; in++) {
         if (in % 7 == 0) {
             out++;
             line[out] = 0;
-            for (bit = 0; bit < 7 && in + bit < PAYLOAD_BYTES + 2; bit++) {
+            for (bit = 0; bit < 7 && in + bit < PAYLOAD_BYTES + 3; bit++) {
                 if (body[in + bit] & 0x80) {
                     line[out] |= (uint8_t)(1 << bit);
                 }
@@ -69,6 +70,7 @@ static uint8_t push(uint8_t from, uint8_t to)
 void setUp(void)
 {
     frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    number = 77;
     encode(FRAME_PARK, 3);
 }
 
@@ -196,6 +198,9 @@ static void test_a_byte_too_much_is_found(void)
 static void test_same_count_again_is_a_head_that_repeats_itself(void)
 {
     TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, push(0, LINE_BYTES));
+    (void)frame_ask();
+    number = 78;
+    encode(FRAME_PARK, 3);
     TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, push(0, LINE_BYTES));
     encode(FRAME_PARK, 4);
     TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, push(0, LINE_BYTES));
@@ -207,6 +212,104 @@ static void test_other_kinds_are_passed_over(void)
     encode(FRAME_GAP, 3);
     TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, LINE_BYTES));
     TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
+}
+
+/* Asks, and answers with the next count and that number of a measurement. */
+static uint8_t answer(uint8_t of_measurement)
+{
+    static uint8_t count;
+
+    (void)frame_ask();
+    count = (uint8_t)((count + 1) & 15);
+    number = of_measurement;
+    encode(FRAME_PARK, count);
+    return push(0, LINE_BYTES);
+}
+
+static void test_frozen_measurement_with_fresh_counts_is_bad(void)
+{
+    uint8_t frame;
+
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(255));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(0)); /* it wraps */
+    (void)frame_ask();
+    for (frame = 2; frame < FRAME_ASKED_ANY; frame++) {
+        TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(0));
+    }
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(0)); /* the head may have been started again */
+    TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(0));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(1));
+}
+
+static void test_old_frames_by_turns_are_bad(void)
+{
+    uint8_t turn, frame;
+
+    for (frame = 10; frame <= 14; frame++) {
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(frame));
+    }
+    for (turn = 0; turn < 12; turn++) {
+        for (frame = 10; frame <= 14; frame++) {
+            TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(frame));
+        }
+    }
+}
+
+static void test_number_may_go_up_by_one_more_than_was_asked_for(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(10));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(12));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(15));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(15)); /* the second one asked for since 12 */
+    (void)frame_ask();
+    (void)frame_ask();
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(16)); /* two triggers were not heard */
+}
+
+static void test_frame_that_nobody_asked_for_is_bad(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(10));
+    number = 11;
+    encode(FRAME_PARK, 9);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, push(0, LINE_BYTES));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(12));
+}
+
+static void test_frame_that_is_late_is_dropped_when_the_next_is_asked_for(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(10));
+    TEST_ASSERT_FALSE(frame_ask());
+    number = 11;
+    encode(FRAME_PARK, 9);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, LINE_BYTES - 1));
+    TEST_ASSERT_TRUE(frame_ask());
+    TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, frame_push(line[LINE_BYTES - 1]));
+    TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(12));
+}
+
+static void test_head_that_answers_every_second_trigger_only_is_too_slow(void)
+{
+    uint8_t frame;
+
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(0));
+    for (frame = 1; frame < FRAME_SLOW_MAX; frame++) {
+        (void)frame_ask();
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(frame));
+    }
+    for (; frame < 200; frame++) {
+        (void)frame_ask();
+        TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(frame));
+    }
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(frame));
+    for (frame = 0; frame < 20; frame++) { /* a bad answer is one, too */
+        TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(frame));
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer((uint8_t)(201 + frame)));
+    }
+    for (frame = 0; frame < 254; frame++) {
+        (void)frame_ask(); /* the count of unanswered triggers stops */
+    }
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(3));
 }
 
 static void test_refused_values_count_as_bad(void)
@@ -228,6 +331,12 @@ int main(void)
     RUN_TEST(test_frame_cut_short_costs_only_itself);
     RUN_TEST(test_a_byte_too_much_is_found);
     RUN_TEST(test_same_count_again_is_a_head_that_repeats_itself);
+    RUN_TEST(test_frozen_measurement_with_fresh_counts_is_bad);
+    RUN_TEST(test_old_frames_by_turns_are_bad);
+    RUN_TEST(test_number_may_go_up_by_one_more_than_was_asked_for);
+    RUN_TEST(test_frame_that_nobody_asked_for_is_bad);
+    RUN_TEST(test_frame_that_is_late_is_dropped_when_the_next_is_asked_for);
+    RUN_TEST(test_head_that_answers_every_second_trigger_only_is_too_slow);
     RUN_TEST(test_other_kinds_are_passed_over);
     RUN_TEST(test_refused_values_count_as_bad);
     return UNITY_END();

@@ -105,6 +105,7 @@ static void run(struct robots robots, int steps)
     robots_start(&robots);
     unavoidable = is_unavoidable(robots);
     printf("%d,%d,%d,", robots_gap_mm(&robots), robots.own_mmps, robots.lead_mmps);
+    decide(&robots); /* the frames before the start say the same */
     for (int step = 0; step < steps && !robots.collided; step++) {
         decide(&robots);
         robots_step(&robots, accel_mmps2(), follow.asks_for_lane);

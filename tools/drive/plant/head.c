@@ -41,26 +41,28 @@ static unsigned crc16(unsigned crc, uint8_t byte)
     return crc;
 }
 
-size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes,
+size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes, int number,
                    uint8_t line[HEAD_LINE_MAX])
 {
-    uint8_t body[HEAD_PAYLOAD_MAX + 2];
+    uint8_t body[HEAD_PAYLOAD_MAX + 3];
+    int body_bytes = payload_bytes + 3;
     uint8_t start = (uint8_t)(0x80 | kind << 4 | count);
     unsigned crc = crc16(0xFFFF, start);
     size_t size = 0;
 
     memcpy(body, payload, (size_t)payload_bytes);
-    for (int i = 0; i < payload_bytes; i++) {
-        crc = crc16(crc, payload[i]);
+    body[payload_bytes] = (uint8_t)number;
+    for (int i = 0; i <= payload_bytes; i++) {
+        crc = crc16(crc, body[i]);
     }
-    head_put_16(body + payload_bytes, (long)crc);
+    head_put_16(body + payload_bytes + 1, (long)crc);
 
     line[size++] = start;
-    for (int group = 0; group < payload_bytes + 2; group += GROUP) {
+    for (int group = 0; group < body_bytes; group += GROUP) {
         size_t top_bits = size++;
 
         line[top_bits] = 0;
-        for (int i = 0; i < GROUP && group + i < payload_bytes + 2; i++) {
+        for (int i = 0; i < GROUP && group + i < body_bytes; i++) {
             line[top_bits] = (uint8_t)(line[top_bits] | body[group + i] >> 7 << i);
             line[size++] = body[group + i] & 0x7F;
         }
@@ -170,12 +172,20 @@ static size_t spoil(struct head *head, enum frame_fault_kind kind, uint8_t *line
         memmove(line, line + from, size - from);
         return size - from;
     case FRAME_REPEAT:
-        memcpy(line, head->last, head->last_size);
+        memcpy(line, head->last[head->last_at], head->last_size);
         return head->last_size;
+    case FRAME_OLD: /* from the oldest one on */
+        head->old_at = (head->old_at + 1) % HEAD_OLD;
+        memcpy(line, head->last[head->old_at], head->last_size);
+        return head->last_size;
+    case FRAME_FROZEN:
+        return head_encode(head->kind, head->count, head->last_payload, head->payload_bytes,
+                           head->last_number, line);
     case FRAME_RANGE:
         memcpy(payload, head->payload, sizeof payload);
         head->spoil(&head->random, payload);
-        return head_encode(head->kind, head->count, payload, head->payload_bytes, line);
+        return head_encode(head->kind, head->count, payload, head->payload_bytes, head->number,
+                           line);
     case FRAME_NOISE:
         for (size_t i = 0; i < size; i++) {
             line[i] = any_byte(head);
@@ -225,12 +235,30 @@ bool head_trigger(struct head *head, int64_t t_ns, bool level)
 void head_measured(struct head *head, int64_t t_ns, const uint8_t *payload)
 {
     memcpy(head->payload, payload, (size_t)head->payload_bytes);
+    head->number = (head->number + 1) % 256;
     head->due_ns = t_ns + head->delay_ns;
 }
 
 int64_t head_due_ns(const struct head *head)
 {
     return head->due_ns;
+}
+
+static size_t encode_answer(const struct head *head, uint8_t *line)
+{
+    return head_encode(head->kind, head->count, head->payload, head->payload_bytes, head->number,
+                       line);
+}
+
+/* A good frame, for faults that send it again. */
+static void remember(struct head *head, const uint8_t *line, size_t size)
+{
+    head->last_at = (head->last_at + 1) % HEAD_OLD;
+    head->old_at = head->last_at;
+    memcpy(head->last[head->last_at], line, size);
+    head->last_size = size;
+    memcpy(head->last_payload, head->payload, sizeof head->last_payload);
+    head->last_number = head->number;
 }
 
 size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
@@ -241,17 +269,22 @@ size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
     if (t_ns < head->due_ns) {
         return 0;
     }
-    size = head_encode(head->kind, head->count, head->payload, head->payload_bytes, line);
+    size = encode_answer(head, line);
     fault = fault_now(head, head->due_ns);
-    if (fault == NULL) {
-        memcpy(head->last, line, size);
-        head->last_size = size;
+    if (fault == NULL || fault->kind == FRAME_UNASKED) {
+        remember(head, line, size);
         head->bad_ns = INT64_MAX;
     } else {
         size = spoil(head, (enum frame_fault_kind)fault->kind, line, size);
         if (head->bad_ns == INT64_MAX) {
             head->bad_ns = head->due_ns;
         }
+    }
+    head->doubled = fault != NULL && fault->kind == FRAME_UNASKED && !head->doubled;
+    if (head->doubled) {
+        head->count = (head->count + 1) % 16;
+        head->number = (head->number + 1) % 256;
+        size += encode_answer(head, line + size);
     }
     head->count = (head->count + 1) % 16;
     if (head->warm_left > 0) {

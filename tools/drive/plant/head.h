@@ -14,8 +14,9 @@
 
 enum {
     HEAD_FAULTS = SECTION_COPIES,
-    HEAD_PAYLOAD_MAX = 14,
+    HEAD_PAYLOAD_MAX = 13,
     HEAD_LINE_MAX = 48,
+    HEAD_OLD = 3,            /* frames that a head repeats by turns */
     HEAD_GRACE_NS = 25000000 /* from a frame's first byte to its effect at a pin, at most */
 };
 
@@ -29,6 +30,9 @@ enum frame_fault_kind {
     FRAME_REPEAT,   /* the last good frame again */
     FRAME_RANGE,    /* a value that cannot be, with a right check sum */
     FRAME_NOISE,    /* as many bytes, each of them random */
+    FRAME_FROZEN,   /* the last good measurement again, with a fresh count */
+    FRAME_OLD,      /* the last good frames by turns */
+    FRAME_UNASKED,  /* the answer, and after every second answer another one at once: not bad */
 };
 
 /* Section [frame], [frame2], ... */
@@ -90,8 +94,14 @@ struct head {
     int64_t due_ns;      /* the answer's first byte; INT64_MAX: none is due */
     int64_t answered_ns; /* when the measurement of the last answer was made; 0: none was */
     uint8_t payload[HEAD_PAYLOAD_MAX];
-    uint8_t last[HEAD_LINE_MAX]; /* the frame before, for a head that repeats itself */
+    int number; /* of the measurement, 0..255 */
+    /* the frames before, for a head that repeats itself */
+    uint8_t last[HEAD_OLD][HEAD_LINE_MAX];
     size_t last_size;
+    int last_at, old_at; /* the newest; the next one of FRAME_OLD */
+    uint8_t last_payload[HEAD_PAYLOAD_MAX];
+    int last_number;
+    bool doubled;   /* another frame followed the last answer */
     int64_t bad_ns; /* the first of the bad answers in a row; INT64_MAX: the last one was good */
 };
 
@@ -124,8 +134,9 @@ size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX]);
  * and the last good one has had its time to take effect. INT64_MAX: the last frame was good. */
 int64_t head_blind_ns(const struct head *head);
 
-/* The bytes of one good frame: COUNT of them to LINE. */
-size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes,
+/* Puts the bytes of one good frame into LINE and returns how many there are. NUMBER is the
+ * measurement's, 0..255. */
+size_t head_encode(int kind, int count, const uint8_t *payload, int payload_bytes, int number,
                    uint8_t line[HEAD_LINE_MAX]);
 
 /* The whole number nearest to VALUE, in LOW..HIGH. */

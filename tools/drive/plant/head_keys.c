@@ -14,7 +14,7 @@ static const struct key head_keys[] = {
      .meaning = "from a trigger to the first byte of the answer",
      .at = AT(delay_ms),
      .low = 0.5,
-     .high = 80,
+     .high = 90,
      .initial = 2},
 };
 #undef AT
@@ -29,10 +29,13 @@ static const struct key frame_keys[] = {
     {.name = "kind",
      .meaning = "silence: no answer; corrupt: wrong bits; truncate: the end is missing; insert: a "
                 "byte too much; resync: the beginning is missing; repeat: the last good frame "
-                "again; range: an impossible value with a right check sum; noise: random bytes",
+                "again; range: an impossible value with a right check sum; noise: random bytes; "
+                "frozen: the last good "
+                "measurement with a fresh count; old: the last three good frames by turns; "
+                "unasked: after every second answer another one at once",
      .kind = VALUE_CHOICE,
      .at = AT(kind),
-     .choices = "silence corrupt truncate insert resync repeat range noise",
+     .choices = "silence corrupt truncate insert resync repeat range noise frozen old unasked",
      .initial = -1,
      .required = true},
     {.name = "from_s",
