@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the gap controller adds to the published law: the set speed, a lead state that does not follow
- * noise, two frames to release the brake, and full brake when the law would come too late. The law
- * itself is tested by test_gap_paper.c. */
+/* What the gap controller adds to the published law: the set speed, a lead state that does not
+ * follow noise, two frames to release the brake, and full brake when the law would come too late.
+ * The law itself is tested by test_gap_paper.c. */
 #include <stddef.h>
 #include "unity.h"
 
