@@ -324,6 +324,7 @@ void main(void)
     /*@ loop invariant t9_on: main_is_valid; */
     for (;;) {
         /* Every round, less than a millisecond. */
+        hal_registers_restore();
         if (phase == PHASE_TEST) {
             test();
         }

@@ -14,6 +14,7 @@
 #define __bit _Bool
 #define __critical
 #define __reentrant
+#define __naked
 #define __interrupt(n)
 #define __using(n)
 #endif

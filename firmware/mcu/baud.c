@@ -2,9 +2,6 @@
 /* Timer 2: the baud rate of the UART, 9600 8N1. */
 #include "sfr.h"
 
-#define BAUD        9600U
-#define BAUD_RELOAD (65536UL - (CLK_HZ + 16UL * BAUD) / (32UL * BAUD))
-
 void uart_init(void)
 {
     RCAP2L = (uint8_t)BAUD_RELOAD;

@@ -40,6 +40,10 @@ bool hal_uart_ready(void); /* whether hal_uart_put may be called: the last chara
 void hal_uart_put(char c); /* sends a character */
 char hal_uart_get(void);   /* the character that came in, or 0 if none came */
 
+/* Sets again what hal_init set in the registers of timers, interrupts, UART and inputs of the brake: a
+ * bit that has flipped there is right again. 35 mc. */
+void hal_registers_restore(void);
+
 /* Feeds the watchdog. Without it the chip is reset after 16 ms (at89s52) or 65 ms (stc89); a
  * generic8052 has no watchdog. */
 void hal_watchdog_feed(void);
@@ -55,5 +59,9 @@ bool hal_stack_is_good(void);   /* whether the last byte of the stack was never 
 
 /* SDCC writes an interrupt's vector only if the file with main sees the interrupt's prototype. */
 void pwm_interrupt(void) __interrupt(3) __using(1);
+
+/* The last vector, so that each one before it is there, too: an interrupt that a bit's flip has let
+ * through returns at once. */
+void unused_interrupt(void) __interrupt(5) __naked;
 
 #endif

@@ -31,6 +31,10 @@ __sbit __at(PIN_LANE) pin_lane;         /* low: the next lane is asked for */
 __sbit __at(PIN_ECHO) pin_echo;         /* high while the sound travels */
 __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 
+/* Timer 2 makes the baud rate, 9600. */
+#define BAUD        9600U
+#define BAUD_RELOAD (65536UL - (CLK_HZ + 16UL * BAUD) / (32UL * BAUD))
+
 /* The parts of hal_init; each file of a peripheral has one. */
 void pwm_init(void);
 void sensor_init(void);

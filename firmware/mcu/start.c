@@ -114,6 +114,15 @@ void hal_init(void)
 #endif
 }
 
+void unused_interrupt(void) __interrupt(5) __naked
+{
+    /* clang-format off */
+    __asm
+        reti
+    __endasm;
+    /* clang-format on */
+}
+
 bool hal_ram_is_good(void)
 {
     return ram_is_good;

@@ -81,6 +81,9 @@ char hal_uart_get(void)
 void hal_watchdog_feed(void)
 {
 }
+void hal_registers_restore(void)
+{
+}
 uint8_t hal_reset_cause(void)
 {
     return (uint8_t)Frama_C_unsigned_char_interval(HAL_RESET_POWER, HAL_RESET_PIN);
