@@ -40,7 +40,7 @@ bool hal_uart_ready(void); /* whether hal_uart_put may be called: the last chara
 void hal_uart_put(char c); /* sends a character */
 char hal_uart_get(void);   /* the character that came in, or 0 if none came */
 
-/* Sets again what hal_init set in the registers of timers, interrupts, UART and inputs of the brake: a
+/* Sets again what hal_init set in the brake's registers of timers, interrupts, UART and inputs: a
  * bit that has flipped there is right again. 35 mc. */
 void hal_registers_restore(void);
 
