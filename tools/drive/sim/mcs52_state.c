@@ -39,9 +39,59 @@ static void normalize(struct mcs52 *chip)
     mcs52_attend(chip);
 }
 
-static bool same_clock(const struct baud *a, const struct baud *b)
+/* All that a chip's way on depends on, but for the changes of pins that wait. */
+#define FIELD(member) {offsetof(struct mcs52, member), sizeof(((struct mcs52 *)NULL)->member)}
+static const struct {
+    size_t at, size;
+} fields[] = {FIELD(now),
+              FIELD(pc),
+              FIELD(a),
+              FIELD(psw),
+              FIELD(ram),
+              FIELD(sfr),
+              FIELD(idle),
+              FIELD(power_down),
+              FIELD(on),
+              FIELD(off),
+              FIELD(held),
+              FIELD(in_service),
+              FIELD(timer_at),
+              FIELD(t1_overflows),
+              FIELD(tx_clock.next_state),
+              FIELD(tx_clock.period),
+              FIELD(tx_clock.phase),
+              FIELD(rx_clock.next_state),
+              FIELD(rx_clock.period),
+              FIELD(rx_clock.phase),
+              FIELD(tx_bits),
+              FIELD(tx_byte),
+              FIELD(tx_next),
+              FIELD(tx_next_ninth),
+              FIELD(tx_waits),
+              FIELD(tx_rolled),
+              FIELD(tx_position),
+              FIELD(rx_position),
+              FIELD(rx_sample),
+              FIELD(rx_ones),
+              FIELD(rx_bits),
+              FIELD(watchdog_left),
+              FIELD(watchdog_last),
+              FIELD(bitten),
+              FIELD(outside_pins),
+              FIELD(alternate),
+              FIELD(due),
+              FIELD(xdata),
+              FIELD(code)};
+
+static bool same_fields(const struct mcs52 *a, const struct mcs52 *b)
 {
-    return a->next_state == b->next_state && a->period == b->period && a->phase == b->phase;
+    for (size_t i = 0; i < sizeof fields / sizeof fields[0]; i++) {
+        if (memcmp((const char *)a + fields[i].at, (const char *)b + fields[i].at,
+                   fields[i].size) != 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static bool same_queue(const struct mcs52 *a, const struct mcs52 *b)
@@ -61,28 +111,9 @@ static bool same_queue(const struct mcs52 *a, const struct mcs52 *b)
     return true;
 }
 
-#define SAME(field) (memcmp(&a->field, &b->field, sizeof a->field) == 0)
-
-static bool same_processor(const struct mcs52 *a, const struct mcs52 *b)
-{
-    return SAME(now) && SAME(pc) && SAME(a) && SAME(psw) && SAME(ram) && SAME(sfr) && SAME(idle) &&
-           SAME(power_down) && SAME(on) && SAME(off) && SAME(held) && SAME(in_service);
-}
-
-static bool same_periphery(const struct mcs52 *a, const struct mcs52 *b)
-{
-    return SAME(timer_at) && SAME(t1_overflows) && same_clock(&a->tx_clock, &b->tx_clock) &&
-           same_clock(&a->rx_clock, &b->rx_clock) && SAME(tx_bits) && SAME(tx_byte) &&
-           SAME(tx_next) && SAME(tx_next_ninth) && SAME(tx_waits) && SAME(tx_rolled) &&
-           SAME(tx_position) && SAME(rx_position) && SAME(rx_sample) && SAME(rx_ones) &&
-           SAME(rx_bits) && SAME(watchdog_left) && SAME(watchdog_last) && SAME(bitten) &&
-           SAME(outside_pins) && SAME(alternate) && SAME(due);
-}
-
 bool mcs52_equal(struct mcs52 *a, struct mcs52 *b)
 {
     normalize(a);
     normalize(b);
-    return same_processor(a, b) && same_periphery(a, b) && same_queue(a, b) && SAME(xdata) &&
-           SAME(code);
+    return same_fields(a, b) && same_queue(a, b);
 }

@@ -176,7 +176,7 @@ static void overflow(struct mcs52 *chip, int n, uint64_t overflows, uint64_t fir
         }
     } else {
         chip->sfr[T2CON] |= T2_TF2;
-        if (is_up_down(chip) && (overflows & 1)) {
+        if (is_up_down(chip)) { /* each overflow is an event then */
             chip->sfr[T2CON] ^= T2_EXF2;
         }
         mcs52_requests_of(chip, T2CON, first - 1);
