@@ -317,6 +317,39 @@ static void test_that_a_target_beside_the_lane_comes_second(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 8, car.record.min_gap_m);
 }
 
+/* 2 m/s; 4 m/s2 off from 1 s on; let go at 1.25 s with 1 m/s after 0.375 m; 2 m/s2 on from 2 s to 3 m/s;
+ * by hand: at 2 s 2 + 0.375 + 0.75 m, 1 s later 1 + 1 m more at 3 m/s, then 3 m a second. */
+static void test_that_a_lead_obeys_commands(void)
+{
+    put_lead(100, 2);
+    begin();
+    car_advance(&car, 1000 * ms);
+    TEST_ASSERT_TRUE(car_command_lead(&car, 0, -4, 3));
+    car_advance(&car, 1250 * ms);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, car_target_mps(&car, 0));
+    TEST_ASSERT_TRUE(car_command_lead(&car, 0, 0, 3));
+    car_advance(&car, 2000 * ms);
+    TEST_ASSERT_TRUE(car_command_lead(&car, 0, 2, 3));
+    car_advance(&car, 4000 * ms);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3, car_target_mps(&car, 0));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 100 + 2 + 0.375 + 0.75 + 2 + 3,
+                              car.x_m + car_target_gap_m(&car, 0));
+}
+
+static void test_that_commands_end_with_the_points_of_a_profile(void)
+{
+    int taken = 0;
+
+    put_lead(100, 2);
+    begin();
+    while (taken < 2 * PROFILE_POINTS && car_command_lead(&car, 0, taken % 2 == 0 ? -0.1 : 0, 3)) {
+        taken++;
+        car_advance(&car, car.now_ns + 100 * ms);
+    }
+    TEST_ASSERT_EQUAL(PROFILE_POINTS - 2, taken);
+    TEST_ASSERT_TRUE(car.targets[0].lead.profile.count <= PROFILE_POINTS);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -339,5 +372,7 @@ int main(void)
     RUN_TEST(test_that_a_car_cuts_in_where_the_ego_is_then);
     RUN_TEST(test_that_the_nearer_of_two_targets_counts);
     RUN_TEST(test_that_a_target_beside_the_lane_comes_second);
+    RUN_TEST(test_that_a_lead_obeys_commands);
+    RUN_TEST(test_that_commands_end_with_the_points_of_a_profile);
     return UNITY_END();
 }

@@ -31,6 +31,7 @@ struct loop {
     int64_t start_ns; /* of the scenario, in the simulator's time */
     int64_t now_ns;   /* of the scenario */
     bool sent;        /* the scenario's bytes for the serial line */
+    enum sim_status status;
     bool guess, late; /* an input would have been due before the present: the guess was wrong */
     struct {
         int64_t t_ns;
@@ -293,21 +294,22 @@ static void send_bytes(struct loop *loop, int64_t t_ns)
     loop->sent = true;
 }
 
-static enum sim_status play(struct loop *loop)
+static bool is_over(const struct loop *loop)
 {
-    int64_t end_ns = ns_from_s(loop->setup->scenario->duration_s);
-    int64_t t_ns = 0;
-    enum sim_status status = SIM_RAN;
+    return loop->run->duration_ns >= ns_from_s(loop->setup->scenario->duration_s) ||
+           loop->class->is_over(loop->world);
+}
 
-    while (t_ns < end_ns && !loop->class->is_over(loop->world)) {
-        send_bytes(loop, t_ns);
-        t_ns += WORLD_ROW_NS;
-        status = run_to(loop, t_ns);
-        loop->run->duration_ns = t_ns;
-        take_uart(loop);
-        if (status != SIM_RAN) {
-            break;
-        }
+static enum sim_status play_row(struct loop *loop)
+{
+    int64_t t_ns = loop->run->duration_ns + WORLD_ROW_NS;
+    enum sim_status status;
+
+    send_bytes(loop, loop->run->duration_ns);
+    status = run_to(loop, t_ns);
+    loop->run->duration_ns = t_ns;
+    take_uart(loop);
+    if (status == SIM_RAN) {
         show_row(loop, t_ns);
     }
     return status;
@@ -420,14 +422,12 @@ static int start_simulator(struct loop *loop)
     return sim_start(loop->setup->engine, &loop->sim, &setup);
 }
 
-/* Runs the scenario once. LATE: there is no result, because a guess was wrong. */
-static int run_once(struct loop *loop, bool *late)
+/* From reset to the scenario's begin. */
+static int begin(struct loop *loop)
 {
     struct run *run = loop->run;
     const struct run_setup *setup = loop->setup;
-    enum sim_status status;
 
-    *late = false;
     telemetry_init(&run->telemetry);
     outcome_clear(&run->outcome);
     run->outcome.uart = run->telemetry.log;
@@ -436,12 +436,28 @@ static int run_once(struct loop *loop, bool *late)
     }
     loop->world = loop->class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
     memset(loop->levels, true, sizeof loop->levels);
-    status = boot(loop);
-    if (status == SIM_RAN && run->triggered) {
-        status = play(loop);
-    } else if (status == SIM_RAN) {
+    loop->status = boot(loop);
+    if (loop->status == SIM_RAN && !run->triggered) {
         take_uart(loop);
     }
+    return EXIT_FINE;
+}
+
+static bool next_row(struct loop *loop)
+{
+    if (loop->status != SIM_RAN || !loop->run->triggered || is_over(loop)) {
+        return false;
+    }
+    loop->status = play_row(loop);
+    return loop->status == SIM_RAN;
+}
+
+/* The outcome; the simulator and the world are gone then. */
+static int end(struct loop *loop)
+{
+    struct run *run = loop->run;
+    enum sim_status status = loop->status;
+
     loop->class->measure(loop->world, run->duration_ns, &run->outcome);
     for (int metric = 0; metric < METRIC_COUNT; metric++) {
         run->outcome.values[metric] += 0.0; /* no -0 */
@@ -452,8 +468,56 @@ static int run_once(struct loop *loop, bool *late)
     run->outcome.uart = run->telemetry.log;
     loop->class->destroy(loop->world);
     sim_stop(loop->sim);
-    *late = loop->late;
     return status == SIM_FAILED && !loop->late ? EXIT_USAGE : EXIT_FINE;
+}
+
+static int run_once(struct loop *loop)
+{
+    if (begin(loop) != EXIT_FINE) {
+        return EXIT_USAGE;
+    }
+    while (next_row(loop))
+        ;
+    return end(loop);
+}
+
+struct loop *run_begin(struct run *run, const struct run_setup *setup,
+                       const struct run_observer *observers, int observer_count)
+{
+    struct loop *loop = calloc(1, sizeof *loop);
+
+    if (loop == NULL) {
+        abort();
+    }
+    memset(run, 0, sizeof *run);
+    loop->run = run;
+    loop->setup = setup;
+    loop->class = setup->scenario->world;
+    loop->observers = observers;
+    loop->observer_count = observer_count;
+    if (begin(loop) != EXIT_FINE) {
+        free(loop);
+        return NULL;
+    }
+    return loop;
+}
+
+bool run_next(struct loop *loop)
+{
+    return next_row(loop);
+}
+
+struct world *run_world(struct loop *loop)
+{
+    return loop->world;
+}
+
+int run_end(struct loop *loop)
+{
+    int status = end(loop);
+
+    free(loop);
+    return status;
 }
 
 int run_scenario(struct run *run, const struct run_setup *setup,
@@ -482,7 +546,8 @@ int run_scenario(struct run *run, const struct run_setup *setup,
         }
         memset(run, 0, sizeof *run);
         run->restarts = restarts;
-        status = run_once(&loop, &late);
+        status = run_once(&loop);
+        late = loop.late;
     } while (late && restarts == 0);
     if (late) {
         diag_error(NULL, 0, "the plant answers too late; that is a fault of drive");

@@ -62,4 +62,21 @@ int run_scenario(struct run *run, const struct run_setup *setup,
 
 void run_free(struct run *run);
 
+/* The same in steps, for someone who shows the run at a pace of their own. It takes no guesses. */
+struct loop;
+
+/* From reset to the scenario's begin. RUN, SETUP and OBSERVERS stay in use until run_end. Returns
+ * NULL after a message when the simulator failed. */
+struct loop *run_begin(struct run *run, const struct run_setup *setup,
+                       const struct run_observer *observers, int observer_count);
+
+/* Runs for one row, WORLD_ROW_NS. Returns false when the run is over, whatever the reason. */
+bool run_next(struct loop *loop);
+
+/* The world of the run, to be changed between two steps. */
+struct world *run_world(struct loop *loop);
+
+/* Measures the outcome and frees LOOP. Returns what run_scenario does; run_free is still due. */
+int run_end(struct loop *loop);
+
 #endif

@@ -171,6 +171,31 @@ static void place_targets(struct car *car)
     }
 }
 
+bool car_command_lead(struct car *car, int index, double accel_mps2, double top_mps)
+{
+    struct lead *lead = &car->targets[index].lead;
+    struct profile *profile = &lead->profile;
+    double t_s = now_s(car), speed_mps, end_mps = accel_mps2 < 0 ? 0 : top_mps;
+
+    car_lead_path_m(lead, t_s, &speed_mps);
+    if (profile->count == 0) {
+        profile->points[profile->count++].speed_mps = lead->speed_mps; /* at 0 s */
+    }
+    if (profile->points[profile->count - 1].t_s > t_s) {
+        profile->count--; /* where the last command would have ended */
+    }
+    if (profile->count > PROFILE_POINTS - 2) {
+        return false;
+    }
+    profile->points[profile->count].t_s = t_s;
+    profile->points[profile->count++].speed_mps = speed_mps;
+    if (accel_mps2 != 0 && (end_mps - speed_mps) / accel_mps2 > 0) {
+        profile->points[profile->count].t_s = t_s + (end_mps - speed_mps) / accel_mps2;
+        profile->points[profile->count++].speed_mps = end_mps;
+    }
+    return true;
+}
+
 /* --- the ego ------------------------------------------------------------------------------ */
 
 struct motion {

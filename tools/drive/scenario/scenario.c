@@ -19,7 +19,7 @@ struct reader {
     struct scenario *scenario;
     const char *file;
     const char *place; /* of what is read now: the file, or "--set" */
-    FILE *stream;
+    FILE *stream;      /* NULL: there is no file, only settings */
     int line;
     int faults_found;
     int given[SECTIONS_MAX][SECTION_COPIES][KEYS_MAX]; /* the line of each key; 0: not given */
@@ -590,8 +590,10 @@ static bool parse_setting(struct reader *reader, const char *setting, ini_handle
 static void find_app(struct reader *reader, char *const *settings, int count)
 {
     reader->only_app = true;
-    ini_parse_stream(next_line, reader, take_app, reader);
-    rewind(reader->stream);
+    if (reader->stream != NULL) {
+        ini_parse_stream(next_line, reader, take_app, reader);
+        rewind(reader->stream);
+    }
     reader->line = 0;
     reader->place = "--set";
     for (int i = 0; i < count; i++) {
@@ -671,7 +673,7 @@ static char *read_text(const char *file, size_t *size)
 static int read_stream(struct reader *reader, char *const *settings, int count)
 {
     struct scenario *scenario = reader->scenario;
-    int bad_line;
+    int bad_line = 0;
 
     find_app(reader, settings, count);
     if (reader->faults_found > 0) {
@@ -679,7 +681,9 @@ static int read_stream(struct reader *reader, char *const *settings, int count)
     }
     scenario_defaults(scenario, scenario->world);
     snprintf(scenario->file, sizeof scenario->file, "%s", reader->file);
-    bad_line = ini_parse_stream(next_line, reader, take_value, reader);
+    if (reader->stream != NULL) {
+        bad_line = ini_parse_stream(next_line, reader, take_value, reader);
+    }
     if (bad_line > 0 && reader->faults_found == 0) {
         reader->line = bad_line;
         complain(reader, "neither [section] nor key = value nor ; comment");
@@ -689,6 +693,14 @@ static int read_stream(struct reader *reader, char *const *settings, int count)
         check_whole(reader);
     }
     return reader->faults_found == 0 ? EXIT_FINE : EXIT_INPUT;
+}
+
+int scenario_from(struct scenario *scenario, char *const *settings, int count)
+{
+    struct reader reader = {.scenario = scenario, .file = "--set", .place = "--set"};
+
+    memset(scenario, 0, sizeof *scenario);
+    return read_stream(&reader, settings, count);
 }
 
 int scenario_read(struct scenario *scenario, const char *file, char *const *settings, int count)

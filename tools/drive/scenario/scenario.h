@@ -106,6 +106,9 @@ void scenario_defaults(struct scenario *scenario, const struct world_class *worl
  * EXIT_INPUT after one message for each fault found. */
 int scenario_read(struct scenario *scenario, const char *file, char *const *settings, int count);
 
+/* The same without a file: a scenario of SETTINGS alone. */
+int scenario_from(struct scenario *scenario, char *const *settings, int count);
+
 /* Which metrics a run of SCENARIO measures: the others are NAN in OUTCOME, which is otherwise of no
  * use. */
 void scenario_measures(const struct scenario *scenario, struct outcome *outcome);
