@@ -15,8 +15,11 @@ docs/pictures/live.svg: docs/pictures/live.awk FORCE
 	    </dev/null >build/pictures/live.txt
 	$(Q)awk -f $< build/pictures/live.txt >$@
 
-# In 48 colours the picture takes a quarter of the space.
+# In 48 colours the picture takes a quarter of the space. Beside it stand the sums of the table that it shows
+# and of itself, so that a test finds a picture of another table.
 docs/pictures/surface.png: tables/brake.fis FORCE
 	@mkdir -p build/pictures
+	$(Q)build/fistab table $< --csv=build/pictures/surface.csv -o build/pictures/surface.h
 	$(Q)build/fistab plot $< -o build/pictures/surface.png
 	$(Q)pngquant --force --strip --speed 1 48 -o $@ build/pictures/surface.png
+	$(Q)for file in build/pictures/surface.csv $@; do cksum <$$file; done >docs/pictures/surface.sums

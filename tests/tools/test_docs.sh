@@ -33,6 +33,9 @@ wrong_links() {
 faultless "links lead somewhere" "$(wrong_links)"
 faultless "README.md links to each page" "$(for page in docs/*.md; do grep -qF "($page)" README.md || echo "$page"; done)"
 faultless "each picture is shown" "$(for file in docs/pictures/*.svg docs/pictures/*.png; do grep -qF "${file#docs/}" "${pages[@]}" || echo "$file"; done)"
+build/fistab table tables/brake.fis --csv="$out/surface.csv" -o "$out/surface.h"
+cmp -s docs/pictures/surface.sums <(for file in "$out/surface.csv" docs/pictures/surface.png; do cksum <"$file"; done)
+say "surface.png shows the table" $? "it shows another one, or was not made by make pictures; run that"
 [ "$(cat docs/pictures/*.svg docs/pictures/*.png | wc -c)" -le $((300 * 1024)) ]
 say "the pictures take 300 KB at most" $? "$(du -bc docs/pictures/* | tail -n 1)"
 [ "$(wc -l <README.md)" -le 120 ]
