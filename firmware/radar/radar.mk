@@ -14,4 +14,4 @@ radar_mom_CYCLES  := $(FRAME_CYCLES)
 radar_mom_MODULES := $(radar_MODULES)
 build/radar_mom.fis: tables/radar.fis
 	@mkdir -p $(@D)
-	$(Q)sed "s/^Name=.*/Name='radar_mom'/; s/'centroid'/'mom'/" $< >$@
+	$(Q)sed "0,/^Name=/s/^Name=.*/Name='radar_mom'/; s/'centroid'/'mom'/" $< >$@
