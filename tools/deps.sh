@@ -11,15 +11,16 @@ unity=build/deps/unity
 
 packages_for() {
     build="gcc make libc6-dev sdcc sdcc-libraries sdcc-ucsim libinih-dev libcjson-dev"
+    page="jq parallel rsync clang lld wasi-libc libclang-rt-dev-wasm32"
     case $1 in
     build | sim | attack) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
     unit) echo "$build parallel" ;;
-    test) echo "$build gnuplot-nox jq parallel rsync chromium avrdude clang-format-19 fuzzylite" ;;
+    test) echo "$build $page gnuplot-nox chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
     prove) echo "$build frama-c-base why3 z3 cvc4" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
-    report) echo "$build jq parallel rsync" ;;
+    report) echo "$build $page" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
     pictures) echo "$build gnuplot-nox pngquant" ;;
     format) echo "clang-format-19" ;;
@@ -43,6 +44,8 @@ proof_of() {
     sdcc-libraries | libclang-rt-* | octave-fuzzy-logic-toolkit) ;;
     sdcc-ucsim) echo "s51 ucsim_51" ;;
     gnuplot-nox) echo "gnuplot" ;;
+    lld) echo "wasm-ld" ;;
+    wasi-libc) echo "<wasm32-wasi/iso646.h>" ;;
     frama-c-base) echo "frama-c" ;;
     octave) echo "octave octave-cli" ;;
     *) echo "$1" ;;

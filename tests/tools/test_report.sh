@@ -73,10 +73,10 @@ END
         2>"$out/browser" | sed -n 's/.*said: \([^<]*\).*/\1/p'
     rm -rf "$profile"
 }
-page_fault() { # WIDTH
+page_fault() { # WIDTH [CHIP]: CHIP is what the page says first of its own drive
     local said
     said=$(self_test "$1")
-    [[ $said == "passed: "*" 0 faults, $1 px wide" ]] || echo "the page says: '$said'"
+    [[ $said == "passed: "*" 0 faults, $1 px wide; chip: ${2:-}"* ]] || echo "the page says: '$said'"
     grep CONSOLE "$out/browser" | head -n 3
 }
 
@@ -204,17 +204,19 @@ grep -q GNU_Parallel_worker "$out/ssh_calls" || wrong="$wrong nothing ran there"
 faultless runs_on_another_machine "$wrong$(find "$out/far" -mindepth 1 | head -n 3)"
 
 # --- the page --------------------------------------------------------------------------------------------
-# One run for each tab.
+# One run for each tab, and the one that the chip in the page drives, too.
 wrong=
-images='brake radar gap follow park' only='seen_02.0 frame_noise' run_report
+images='brake radar gap follow park' only='seen_02.0 frame_noise standing_car_3mps' run_report
 status=$?
 [ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
 wrong="$wrong$(for id in brake radar gap follow park; do grep -q "{\"id\":\"$id\"" "$out/report/index.html" || echo " no tab $id"; done)"
 faultless a_tab_for_each_controller "$wrong"
 faultless each_image_says_who_it_is "$(jq -r '.images[] | select(.who | test("^fuzzy51 [0-9.]+ [a-z/]+ stc89c516rd [0-9]+ Hz table=0x[0-9A-F]+$") | not) | .id + ": " + .who' \
     "$out"/report/parts/{brake,radar,gap,follow,park}.json 2>&1)"
+gap=$(build/drive run --engine=fast --board=stc89c516rd --scenario=tests/loop/standing_car_3mps.scn --json="$out/chip.json" >/dev/null &&
+    printf '%.3f' "$(jq .outcome.stop_gap_m "$out/chip.json")")
 for width in 1280 375; do
-    faultless "page_works_at_${width}_px" "$(page_fault $width)"
+    faultless "page_works_at_${width}_px" "$(page_fault $width "brake impact_mps 0.000, brake stop_gap_m $gap, ")"
 done
 faultless page_needs_no_network "$(grep -oiE '(src|href|url\()[= ]*["'\'']?(https?:)?//[^"'\'' >]*' "$out/report/index.html" | head -n 1)"
 finish

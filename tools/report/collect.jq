@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 # From the runs of one tab to what the page shows: the tab's object for the page's data.
 #     jq -n -f collect.jq --arg id ID --arg built IMAGES --rawfile tab FILE.tab --rawfile tasks TASKS
-#        --slurpfile texts TEXTS.json --slurpfile tables TABLES.json --arg runs FOLDER --arg out FOLDER RESULT.json...
+#        --slurpfile texts TEXTS.json --slurpfile tables TABLES.json --slurpfile chip CHIP.json
+#        --arg runs FOLDER --arg out FOLDER RESULT.json...
 # TASKS has a line a run: tab, image, scenario, key, image's file, scenario's file. TEXTS.json holds text
 # files by name: scenarios, and of each run its log and its exit status; TABLES.json holds CSV files by
-# name, each as {column: values}. The results are drive's, one a run: FOLDER/KEY/result.json.
+# name, each as {column: values}; CHIP.json holds {board, hex: {IMAGE: TEXT}, scenario: TEXT} for a drive in the
+# page, or null. The results are drive's, one a run: FOLDER/KEY/result.json.
 
 def trim: gsub("^\\s+|\\s+$"; "");
 def fields: split("|") | map(trim);
@@ -22,8 +24,11 @@ def first_of($key): entries($key)[0] // "";
 def images: [entries("image") | map(fields) | to_entries[]
     | {id: .value[0], name: .value[1], short: (.value[2] | or_null // .value[1]), colour: (.key % 5 + 1)}];
 def built_images: ($built | split(" ")) as $there | images | map(select(.id as $image | $there | index([$image])));
+# A quantity "gap_mm*0.001-2": a column, times a factor, plus an offset.
+def quantity: capture("^(?<source>\\w+)(\\*(?<factor>-?[0-9.]+))?(?<offset>[-+][0-9.]+)?$")
+    | .factor = (.factor // "1" | tonumber) | .offset = (.offset // "0" | ltrimstr("+") | tonumber);
 def columns: [entries("column")[] | fields
-    | {key: .[0], name: .[1], unit: .[2], digits: (.[3] | digits), steps: (.[4] == "steps"), shown: (.[5] == "shown"),
+    | (.[0] | quantity) + {key: .[0], name: .[1], unit: .[2], digits: (.[3] | digits), steps: (.[4] == "steps"), shown: (.[5] == "shown"),
        is_word: (.[4] == "words"), is_switch: (.[4] == "words" or .[5] == "hidden")}];
 def panels: [entries("panel")[] | fields
     | {label: .[0], column: .[1], reference: (.[2] | or_null), low: (.[3] | or_null | if . then tonumber else . end), high: (.[4] | or_null | if . then tonumber else . end)}];
@@ -52,12 +57,12 @@ def scenario($name): (. // "") | split("\n")
 # About 120 moments of a run, and each at which a switch or a word changes.
 def trace($columns): .series as $series | ($series.t_s // [] | length) as $count
     | if $count < 2 then null else
-        [$columns[] | select($series[.key] | type == "array" and length == $count)] as $there
-        | [$there[] | select(.is_switch) | $series[.key]] as $switches
+        [$columns[] | select($series[.source] | type == "array" and length == $count)] as $there
+        | [$there[] | select(.is_switch) | $series[.source]] as $switches
         | ((($count - 1) / 120 | floor) + 1) as $step
         | [range($count) | . as $k | select($k == $count - 1 or $k % $step == 0 or any($switches[]; .[$k] != .[$k - 1]))] as $kept
         | {t: [$series.t_s[$kept[]] | rounded(3)]}
-            + ([$there[] | . as $column | {key, value: [$series[.key][$kept[]] | rounded($column.digits)]}] | from_entries)
+            + ([$there[] | . as $column | {key, value: [$series[.source][$kept[]] | if type == "number" then . * $column.factor + $column.offset else . end | rounded($column.digits)]}] | from_entries)
       end;
 
 # Of a run that is not listed the page shows no more than the values.
@@ -85,18 +90,19 @@ def number_words($columns; $runs): reduce $columns[] as $column ({runs: $runs, c
 
 # --- figures ----------------------------------------------------------------------------------------
 
-# An axis "gap_mm/1000": a column, and what its values are divided by.
-def axis($table): split("/") | (.[1] // "1" | tonumber) as $unit | [$table[.[0]][] / $unit | rounded(6)];
-# Each fourth value of an axis is enough for a surface.
-def each_fourth: (.x | unique | [.[range(0; length; 4)]]) as $xs | (.y | unique | [.[range(0; length; 4)]]) as $ys
+def axis($table): quantity as $one | [$table[$one.source][] * $one.factor + $one.offset | rounded(6)];
+# Some thirty values of an axis are enough for a surface.
+def some: unique | (if length > 40 then 4 else 1 end) as $step | [.[range(0; length; $step)]];
+def thinned: (.x | some) as $xs | (.y | some) as $ys
     | ([$xs[] | {key: tostring, value: true}] | from_entries) as $has_x | ([$ys[] | {key: tostring, value: true}] | from_entries) as $has_y
     | . as $all | [range(.x | length) | select($has_x[$all.x[.] | tostring] and $has_y[$all.y[.] | tostring])] as $kept
     | map_values([.[$kept[]]]);
 def rows($figure; $image): ($figure.file | sub("^build/report"; $out) | gsub("{}"; $image)) as $name
     | $tables[0][$name] as $table
     | if $name == "" or $table == null then null else
-        {x: ($figure.x | axis($table)), y: ($figure.y | axis($table)), value: $table[$figure.value]}
-        | if $figure.kind == "surface" then each_fourth else . end
+        {x: ($figure.x | axis($table)), y: ($figure.y | axis($table)), value: ($figure.value | axis($table))}
+        + (if $figure.kind == "rules" then {also: ($figure.show | axis($table))} else {} end)
+        | if $figure.kind == "surface" then thinned else . end
       end;
 def figures($images; $ran): [entries("figure")[] | fields
     | {kind: .[0], title: .[1], caption: .[2], wide: (.[3] != "each"), file: (.[4] // ""), group: (.[5] // ""),
@@ -108,10 +114,24 @@ def figures($images; $ran): [entries("figure")[] | fields
         | select($figure.group == "" or any(.images[]; $ran[$figure.group + "/" + .]))]
     | select(.items != [])];
 
+# --- published figures -------------------------------------------------------------------------------
+
+def published: [entries("published")[] | fields | {name: .[0], unit: .[1], digits: (.[2] | digits), said: .[3], scenario: .[4], measure: .[5]}];
+
+# --- drive it yourself ------------------------------------------------------------------------------
+
+# A scenario's text as settings: "section.key=value" for each line of it.
+def settings: reduce (split("\n")[] | trim | select(test("^([;#]|$)") | not)) as $line ({section: "", list: []};
+    if $line | startswith("[") then .section = ($line | ltrimstr("[") | rtrimstr("]"))
+    else .list += [.section + "." + ($line | sub(" *= *"; "="))] end) | .list;
+def knobs: [entries("knob")[] | fields
+    | {name: .[0], unit: .[1], setting: .[2], low: (.[3] | tonumber), high: (.[4] | tonumber), step: (.[5] | tonumber), value: (.[6] // "0" | tonumber)}];
+def yourself: $chip[0] | if . == null then null else {board, hex, settings: (.scenario | settings), like: (first_of("yourself") | split("/")[-1] | rtrimstr(".scn")), knobs: knobs} end;
+
 # --- the tab ----------------------------------------------------------------------------------------
 
 columns as $columns | groups as $groups | built_images as $images
-| [measures[].key, (tiles[].kind)] as $keys
+| [measures[].key, (tiles[].kind), (published[].measure)] as $keys
 | [$tasks | split("\n")[] | split("\t") | select(.[0] == $id) | {image: .[1], scenario: .[2], key: .[3], file: .[5]}] as $mine
 | ([$mine[] | select(.scenario | group_of($groups).listed) | {key: "\($runs)/\(.key)/result.json", value: true}] | from_entries) as $listed
 | (reduce inputs as $result ({}; .[input_filename] = ($result | digest($columns; $keys; $listed[input_filename])))) as $results
@@ -127,4 +147,4 @@ columns as $columns | groups as $groups | built_images as $images
    images: [$images[] | . + {who: ($who[.id] // "")}], columns: $numbered.columns, panels: panels, measures: measures, tiles: tiles,
    groups: [($groups + [{id: "", title: "Scenarios", listed: true}])[] | .id as $group
        | . + {scenarios: [$order[] | select(group_of($groups).id == $group)]} | select(.id != "" or .scenarios != [])],
-   scenarios: $scenarios, figures: figures($images; $ran), scene: scene, runs: $numbered.runs}
+   scenarios: $scenarios, figures: figures($images; $ran), scene: scene, published: published, yourself: yourself, runs: $numbered.runs}

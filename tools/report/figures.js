@@ -125,6 +125,20 @@ function startMap(tab, settings, images, rows) {
     return cellMap(400, 360, xs, ys, drawn, settings.xLabel, settings.yLabel);
 }
 
+/* A table of rules: what it commands over two inputs; a cell names each answer that it gives over the
+ * third. The value is -1 to 1, `also` is 1 where it asks for the next lane. */
+function ruleMap(tab, settings, images, rows) {
+    const xs = sorted(rows.x), ys = sorted(rows.y), words = ["slow down", "hold", "speed up"];
+    const cells = xs.flatMap((x, i) => ys.map((y, j) => {
+        const here = rows.value.map((_, k) => k).filter((k) => rows.x[k] === x && rows.y[k] === y);
+        const answers = [...new Set(here.map((k) => words[rows.value[k] + 1] + (rows.also[k] > 0 ? ", lane" : "")))];
+        return { column: i + 1, row: j + 1, level: 2 - Math.min(...here.map((k) => rows.value[k])) * 2, answers };
+    }));
+    const texts = (area) => cells.map(({ column, row, answers }) =>
+        answers.map((text, k) => label(area.x(column), area.y(row) + 4 + 15 * (k - (answers.length - 1) / 2), text, "middle", 11, "ink")));
+    return cellMap(400, 250, xs, ys.map((y) => Number(y.toFixed(2))), cells.map((cell) => ({ ...cell, text: "" })), settings.xLabel, settings.yLabel, texts);
+}
+
 /* --- other figures ------------------------------------------------------------------------------- */
 
 /* Impact speed over closing speed; the scenarios of a group, named PREFIX_SPEED. */
@@ -148,15 +162,16 @@ function impactOverSpeed(tab, settings, images) {
  * largest and y is smallest. */
 function tableSurface(tab, settings, images, rows) {
     const width = 560, height = 400, turn = 38 * Math.PI / 180, tilt = 62 * Math.PI / 180;
-    const xs = sorted(rows.x), ys = sorted(rows.y), zEnd = 100;
+    const xs = sorted(rows.x), ys = sorted(rows.y);
     /* The axes end at round numbers. */
     const ends = (values) => { const { step } = tics(values[0], values.at(-1)); return [Math.floor(values[0] / step) * step, Math.ceil(values.at(-1) / step) * step]; };
-    const box = { x: ends(xs), y: ends(ys) };
+    const box = { x: ends(xs), y: ends(ys), z: ends([Math.min(0, ...rows.value), Math.max(...rows.value)]) }, [z0, z1] = box.z;
+    const height01 = (z) => (z - z0) / (z1 - z0), heat = (z) => (z0 < 0 ? 1 - height01(z) : height01(z)); /* red brakes */
     const value = new Map(rows.value.map((one, k) => [`${rows.x[k]} ${rows.y[k]}`, one]));
     const place = (x, y, z) => {
         const a = 0.5 - (x - box.x[0]) / (box.x[1] - box.x[0]), b = 0.5 - (y - box.y[0]) / (box.y[1] - box.y[0]);
         const across = a * Math.cos(turn) + b * Math.sin(turn), near = -a * Math.sin(turn) + b * Math.cos(turn);
-        return { near, at: [px(width / 2 + across * 310), px(height * 0.67 + near * 310 * Math.cos(tilt) - z / zEnd * 190 * Math.sin(tilt))] };
+        return { near, at: [px(width / 2 + across * 310), px(height * 0.67 + near * 310 * Math.cos(tilt) - height01(z) * 190 * Math.sin(tilt))] };
     };
     const stops = [[0, [44, 127, 184]], [0.45, [127, 205, 187]], [0.75, [254, 196, 79]], [1, [215, 48, 31]]];
     const colour = (part) => {
@@ -169,7 +184,7 @@ function tableSurface(tab, settings, images, rows) {
             const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([a, b]) => ({ x: xs[a], y: ys[b], z: value.get(`${xs[a]} ${ys[b]}`) }));
             const points = corners.map(({ x, y, z }) => place(x, y, z)), mean = corners.reduce((sum, one) => sum + one.z, 0) / 4;
             faces.push({ near: points.reduce((sum, one) => sum + one.near, 0),
-                text: `<polygon points="${points.map((one) => one.at.join(",")).join(" ")}" fill="${colour(mean / zEnd)}" stroke="#555" stroke-width="0.3"/>` });
+                text: `<polygon points="${points.map((one) => one.at.join(",")).join(" ")}" fill="${colour(heat(mean))}" stroke="#555" stroke-width="0.3"/>` });
         }
     faces.sort((a, b) => a.near - b.near);
     const edge = (...points) => line(points.map((point) => place(...point).at), 'stroke="var(--soft)" stroke-width="1"');
@@ -179,13 +194,13 @@ function tableSurface(tab, settings, images, rows) {
         return label(at + dx, down + dy, text, "middle", size, colourName);
     };
     return svg(width, height,
-        edge([x0, y0, 0], [x1, y0, 0], [x1, y1, 0], [x0, y1, 0], [x0, y0, 0]), edge([x1, y1, 0], [x1, y1, zEnd]),
-        edge([x0, y0, 0], [x0, y0, zEnd]), edge([x0, y1, 0], [x0, y1, zEnd]), edge([x1, y1, zEnd], [x0, y1, zEnd], [x0, y0, zEnd]),
+        edge([x0, y0, z0], [x1, y0, z0], [x1, y1, z0], [x0, y1, z0], [x0, y0, z0]), edge([x1, y1, z0], [x1, y1, z1]),
+        edge([x0, y0, z0], [x0, y0, z1]), edge([x0, y1, z0], [x0, y1, z1]), edge([x1, y1, z1], [x0, y1, z1], [x0, y0, z1]),
         faces.map((face) => face.text),
-        tics(x0, x1).list.map((x) => beside(x, y0, 0, x, 10, 16)), beside((x0 + x1) / 2, y0, 0, settings.xLabel, 60, 34, 13),
-        tics(y0, y1).list.map((y) => beside(x1, y, 0, y, -8, 16)), beside(x1, (y0 + y1) / 2, 0, settings.yLabel, -60, 34, 13),
-        tics(0, zEnd).list.map((z) => beside(x1, y1, z, z, -16, 4)), beside(x1, y1, zEnd, "brake, %", 6, -12, 13));
+        tics(x0, x1).list.map((x) => beside(x, y0, z0, x, 10, 16)), beside((x0 + x1) / 2, y0, z0, settings.xLabel, 60, 34, 13),
+        tics(y0, y1).list.map((y) => beside(x1, y, z0, y, -8, 16)), beside(x1, (y0 + y1) / 2, z0, settings.yLabel, -60, 34, 13),
+        tics(z0, z1).list.map((z) => beside(x1, y1, z, z, -16, 4)), beside(x1, y1, z1, settings.show, 6, -12, 13));
 }
 
 /* By the name that a tab's description gives. */
-const figures = { map: avoidanceMap, starts: startMap, limit: impactOverSpeed, surface: tableSurface };
+const figures = { map: avoidanceMap, starts: startMap, rules: ruleMap, limit: impactOverSpeed, surface: tableSurface };

@@ -108,6 +108,24 @@ function table(tab, show) {
         make("p", { class: "note" }, "Choose a row to replay it. ", make("span", { class: "unmet" }, "something owed is not met.")), choice, make("div", { class: "scroll" }, whole));
 }
 
+/* What a publication says, and what came out here. */
+function publishedTable(tab) {
+    const rows = tab.published.filter((row) => tab.images.some((image) => runOf(tab, image.id, row.scenario)?.ok));
+    if (!rows.length) return null;
+    const ours = (row, image) => {
+        const run = runOf(tab, image.id, row.scenario), value = run?.ok ? run.values[row.measure] : null;
+        if (!run) return make("td", { class: "gone" }, "not run");
+        if (row.measure !== "impact_mps" && run.values?.impact_mps > 0) return make("td", { class: "hit" }, "impact");
+        const far = Number(row.said) ? `, ${value < row.said ? "−" : "+"}${number(Math.abs(value - row.said), row.digits)}` : "";
+        return make("td", {}, value == null ? "–" : `${number(value, row.digits)} ${row.unit}${far}`);
+    };
+    return make("section", { class: "card" }, make("h2", {}, "Published, and here"),
+        make("p", { class: "note" }, "The publication's figure, then what the image does on the same case, and how far that is from the figure."),
+        make("div", { class: "scroll" }, make("table", { class: "published" },
+            make("thead", {}, make("tr", {}, make("th", {}, ""), make("th", {}, "published"), ...tab.images.map((image) => make("th", { class: "series", style: `--series:${seriesColour(tab, image.id)}` }, image.name)))),
+            make("tbody", {}, ...rows.map((row) => make("tr", {}, make("th", { scope: "row" }, row.name), make("td", {}, Number(row.said) ? `${row.said} ${row.unit}` : row.said), ...tab.images.map((image) => ours(row, image))))))));
+}
+
 /* What stands above all tabs: drives that came out differently in the two engines. */
 function disagreements() {
     if (!data.disagree.length) return null;
@@ -139,13 +157,16 @@ function runTab(tab) {
     if (lost) panel.append(lost);
     if (tab.tiles.length) panel.append(tiles(tab));
     if (player) panel.append(player.element);
+    const yourself = tab.yourself && Object.keys(tab.yourself.hex).length ? makeYourself(tab) : null;
+    if (yourself) panel.append(yourself.element);
+    panel.append(publishedTable(tab) ?? "");
     for (const block of tab.figures)
         panel.append(make("section", { class: "card" }, make("h2", {}, block.title), make("p", { class: "note" }, block.caption),
             make("div", { class: block.wide ? "figures wide" : "figures" }, ...block.items.map((item) => figure(tab, block, item)))));
     panel.append(all);
     if (player)
         player.onshow = (scenario) => all.querySelectorAll("tr.run").forEach((row) => row.classList.toggle("chosen", row.dataset.scenario === scenario));
-    return { panel, player };
+    return { panel, player, yourself };
 }
 
 function boardsTab() {
@@ -158,7 +179,7 @@ function boardsTab() {
     for (const text of data.texts)
         panel.append(make("section", { class: "card" }, make("h2", {}, text.title), make("p", { class: "note" }, text.caption),
             make("pre", { class: "scroll" }, text.body)));
-    return { panel, player: null };
+    return { panel, player: null, yourself: null };
 }
 
 const tabs = [];
@@ -177,6 +198,8 @@ function openTab(chosen) {
             tab.content.panel.hidden = !on;
             if (on) tab.content.player?.draw();
             else tab.content.player?.pause();
+            if (on) tab.content.yourself?.draw();
+            else tab.content.yourself?.stop();
         }
     }
 }

@@ -18,7 +18,7 @@ set -euo pipefail
 
 board=${1:?"which board?"}
 : "${MAP:=normal}" "${ONLY:=*}" "${IMAGES:=}" "${JOBS:=}" "${SSHLOGIN:=:}" "${ENGINE:=fast}" "${SAMPLE:=100}"
-: "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}"
+: "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}" "${WASM:=build/wasm/page.wasm}"
 export DRIVE
 here=tools/report
 runs=$REPORT_OUT/runs
@@ -207,12 +207,6 @@ run_todo() {
 }
 
 # --- page -----------------------------------------------------------------------------------------------
-prepare() { # TAB: the commands that make the data of its figures
-    tab_values "$1" prepare | while read -r command; do
-        sh -c "$command" >"$work/log" 2>&1 </dev/null || echo "$command: $(tail -n 1 "$work/log")" >>"$work/trouble"
-    done
-}
-
 existing() { # FILE...: those that there are, one a line
     local file
     for file; do
@@ -246,6 +240,19 @@ tab_tables() { # TAB
     done
 }
 
+# What a page needs to drive a tab's images itself, or null: the tab says with which scenario it begins.
+chip_files() { # TAB ID
+    local scenario image
+    scenario=$(tab_values "$1" yourself)
+    if [ -z "$scenario" ] || [ ! -f "$WASM" ]; then
+        echo null
+        return
+    fi
+    awk -F '\t' -v OFS='\t' -v id="$2" '$1 == id && !seen[$2]++ { print $2, $5 }' "$work/tasks" | while IFS=$'\t' read -r image hex; do
+        jq -Rsc --arg image "$image" '{($image): .}' "$hex"
+    done | jq -sc --arg board "$board" --rawfile scenario "$scenario" '{board: $board, hex: add, scenario: $scenario}'
+}
+
 # What the page shows of one tab, as JSON.
 collect() { # TAB ID
     local tab=$1 id=$2 keys
@@ -258,8 +265,9 @@ collect() { # TAB ID
     mapfile -t tables < <(tab_tables "$tab")
     text_files "${scenario_files[@]}" "${said[@]}" >"$work/texts_$id.json"
     csv_files "${tables[@]}" >"$work/tables_$id.json"
+    chip_files "$tab" "$id" >"$work/chip_$id.json"
     jq -nc -f $here/collect.jq --arg id "$id" --arg built "$(xargs <"$work/built")" --rawfile tab "$tab" --rawfile tasks "$work/tasks" \
-        --slurpfile texts "$work/texts_$id.json" --slurpfile tables "$work/tables_$id.json" --arg runs "$runs" --arg out "$REPORT_OUT" \
+        --slurpfile texts "$work/texts_$id.json" --slurpfile tables "$work/tables_$id.json" --slurpfile chip "$work/chip_$id.json" --arg runs "$runs" --arg out "$REPORT_OUT" \
         "${results[@]}" </dev/null
 }
 
@@ -285,7 +293,6 @@ compare_engines() {
 write_page() {
     local ids id part collecting=()
     ids=$(cut -f1 "$work/tasks" | uniq) # a tab with nothing to show is left out
-    for id in $ids; do prepare "$(echo "$here"/tabs/*-"$id".tab)"; done
     for id in $ids; do
         collect "$(echo "$here"/tabs/*-"$id".tab)" "$id" >"$work/$id.json" &
         collecting+=($!)
@@ -296,9 +303,11 @@ write_page() {
         jq -sc --arg made "Board $board, $count drives by the engine $ENGINE, $lost failed." --slurpfile costs "$work/costs.json" \
             --slurpfile agreement "$work/agreement.json" \
             '{made: ([$made, $agreement[0].said] | map(select(. != "")) | join(" ")), disagree: $agreement[0].differ, tabs: .} + $costs[0]' | sed 's/</\\u003c/g' >"$work/data.json"
-    cat $here/selftest.js $here/figures.js $here/scenes.js $here/player.js $here/page.js >"$work/script.js"
+    cat $here/selftest.js $here/figures.js $here/scenes.js $here/player.js $here/yourself.js $here/page.js >"$work/script.js"
+    base64 -w 0 "$WASM" >"$work/chip.txt" 2>/dev/null || echo "no $WASM, so the page has no chip; run make report" >>"$work/trouble"
+    echo >>"$work/chip.txt"
     part=$REPORT_OUT/index.html.part
-    sed -e "/^@CSS@\$/{r $here/page.css" -e 'd}' -e "/^@DATA@\$/{r $work/data.json" -e 'd}' \
+    sed -e "/^@CSS@\$/{r $here/page.css" -e 'd}' -e "/^@DATA@\$/{r $work/data.json" -e 'd}' -e "/^@CHIP@\$/{r $work/chip.txt" -e 'd}' \
         -e "/^@SCRIPT@\$/{r $work/script.js" -e 'd}' $here/page.html >"$part"
     mv "$part" "$REPORT_OUT/index.html"
     echo "report: $REPORT_OUT/index.html, $(($(wc -c <"$REPORT_OUT/index.html") / 1024)) KiB"

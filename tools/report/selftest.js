@@ -11,6 +11,7 @@ addEventListener("unhandledrejection", (event) => pageErrors.push(`rejection: ${
 
 function selfTest() {
     const faults = [];
+    const compared = [];
     let checks = 0;
     const check = (good, what) => { checks++; if (!good) faults.push(what); };
     const clean = (text) => !/NaN|undefined|Infinity/.test(text);
@@ -31,6 +32,31 @@ function selfTest() {
         check(clean(panel.textContent), `${tab.id}: NaN or undefined in the text`);
     }
     tabs[0].button.click();
+    for (const tab of tabs) if (tab.content.yourself) testYourself(tab, data.tabs.find((one) => one.id === tab.id), tab.content.yourself);
+
+    /* The chip in the page drives the tab's scenario as drive did. Then one drive with its buttons. */
+    function testYourself(tab, description, yourself) {
+        chip.load();
+        for (const image of Object.keys(description.yourself.hex)) {
+            const run = runOf(description, image, description.yourself.like), outcome = driveWhole(description, image);
+            check(!outcome.fault, `${tab.id}: ${image}: ${outcome.fault}`);
+            if (!run?.ok) continue;
+            for (const [key, value] of Object.entries(run.values)) {
+                check(Math.abs(outcome[key] - value) < 1e-3, `${tab.id}: ${image}: ${key} is ${outcome[key]} in the page, ${value} by drive`);
+                compared.push(`${image} ${key} ${outcome[key].toFixed(3)}`);
+            }
+        }
+        yourself.start();
+        check(yourself.state.driving, `${tab.id}: does not drive: ${yourself.outcome.textContent}`);
+        for (let k = 0; k < 30; k++) yourself.step(1000 + 16 * k);
+        check(yourself.state.row.t_s >= 0.46 && yourself.state.row.t_s < 0.5, `${tab.id}: ${yourself.state.row.t_s} s after 464 ms`);
+        yourself.brakes.dispatchEvent(new Event("pointerdown"));
+        check(yourself.brakes.getAttribute("aria-pressed") === "true", `${tab.id}: the car ahead cannot be told to brake`);
+        yourself.brakes.dispatchEvent(new Event("pointerup"));
+        check(yourself.state.row.t_s > 0 && clean(yourself.element.textContent) && clean(yourself.element.innerHTML), `${tab.id}: the own drive is broken`);
+        yourself.stop();
+        check(yourself.outcome.textContent !== "" && clean(yourself.outcome.textContent), `${tab.id}: no outcome of the own drive`);
+    }
 
     function testPlayer(tab, description, player) {
         const root = player.element, slider = root.querySelector("input[type=range]"), scene = root.querySelector("svg.scene");
@@ -73,7 +99,7 @@ function selfTest() {
     }
 
     faults.push(...pageErrors);
-    document.documentElement.dataset.selftest = `${faults.length ? "failed" : "passed"}: ${checks} checks, ${faults.length} faults, ${innerWidth} px wide`;
+    document.documentElement.dataset.selftest = `${faults.length ? "failed" : "passed"}: ${checks} checks, ${faults.length} faults, ${innerWidth} px wide; chip: ${compared.join(", ") || "nothing compared"}`;
     if (parent !== window) parent.postMessage([document.documentElement.dataset.selftest, ...faults.slice(0, 5)].join("; "), "*");
     document.body.append(make("pre", { id: "selftest" }, faults.slice(0, 50).join("\n")));
 }
