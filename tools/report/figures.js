@@ -166,7 +166,7 @@ function tableSurface(tab, settings, images, rows) {
     /* The axes end at round numbers. */
     const ends = (values) => { const { step } = tics(values[0], values.at(-1)); return [Math.floor(values[0] / step) * step, Math.ceil(values.at(-1) / step) * step]; };
     const box = { x: ends(xs), y: ends(ys), z: ends([Math.min(0, ...rows.value), Math.max(...rows.value)]) }, [z0, z1] = box.z;
-    const height01 = (z) => (z - z0) / (z1 - z0), heat = (z) => (z0 < 0 ? 1 - height01(z) : height01(z)); /* red brakes */
+    const height01 = (z) => (z - z0) / (z1 - z0);
     const value = new Map(rows.value.map((one, k) => [`${rows.x[k]} ${rows.y[k]}`, one]));
     const place = (x, y, z) => {
         const a = 0.5 - (x - box.x[0]) / (box.x[1] - box.x[0]), b = 0.5 - (y - box.y[0]) / (box.y[1] - box.y[0]);
@@ -184,7 +184,7 @@ function tableSurface(tab, settings, images, rows) {
             const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([a, b]) => ({ x: xs[a], y: ys[b], z: value.get(`${xs[a]} ${ys[b]}`) }));
             const points = corners.map(({ x, y, z }) => place(x, y, z)), mean = corners.reduce((sum, one) => sum + one.z, 0) / 4;
             faces.push({ near: points.reduce((sum, one) => sum + one.near, 0),
-                text: `<polygon points="${points.map((one) => one.at.join(",")).join(" ")}" fill="${colour(heat(mean))}" stroke="#555" stroke-width="0.3"/>` });
+                text: `<polygon points="${points.map((one) => one.at.join(",")).join(" ")}" fill="${colour(height01(mean))}" stroke="#555" stroke-width="0.3"/>` });
         }
     faces.sort((a, b) => a.near - b.near);
     const edge = (...points) => line(points.map((point) => place(...point).at), 'stroke="var(--soft)" stroke-width="1"');
