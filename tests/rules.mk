@@ -46,8 +46,8 @@ WANTED_CHIPS := $(filter %/test_$(or $(TEST),%).ihx,$(CHIP_TESTS))
 run-unit: $(WANTED_UNITS)
 	@tests/run.sh $^
 run-unit-chip: $(WANTED_CHIPS) $(FAST_CHIPS)
-	$(if $^,,$(error test '$(TEST)' is not one of the chip's; these are: $(patsubst test_%.ihx,%,$(notdir $(CHIP_TESTS)))))
-	@tests/run.sh $(^:%='tests/run_chip.sh %')
+	$(if $(WANTED_CHIPS),,$(error test '$(TEST)' is not one of the chip's; these are: $(patsubst test_%.ihx,%,$(notdir $(CHIP_TESTS)))))
+	@tests/run.sh $(WANTED_CHIPS:%='tests/run_chip.sh %')
 
 .PHONY: test-build run-test run-test-long
 test-build: all grid surfaces $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) $(FAST_CHIPS) compiler-build build/wasm/page.wasm
