@@ -28,9 +28,11 @@ late() {
     awk -F, -v v="$2" -v app="$1" '
     FILENAME ~ /cells/ {
         if (FNR == 1) next
-        if (!width && FNR > 2) width = $2 - was # of a column; rows are 0.04 m
+        if (!width && FNR > 2) width = $2 - was # of a column
         was = $2
-        if ($3 >= 62.5) { n++; far[n] = $1 + 0.02; low[n] = $2 }
+        if (!half_row && FNR > 2 && $1 != row) half_row = ($1 - row) / 2
+        row = $1
+        if ($3 >= 62.5) { n++; far[n] = $1; low[n] = $2 }
         next
     }
     FILENAME ~ /json/ {
@@ -44,7 +46,7 @@ late() {
     $column["buzzer"] == 1 && !warned { warned = 1; at_s = $column["t_s"] - 0.301 }
     END {
         for (i = 1; i <= n; i++)
-            if (v >= low[i] - width / 2 && v < low[i] + width / 2 && far[i] > hard) hard = far[i]
+            if (v >= low[i] - width / 2 && v < low[i] + width / 2 && far[i] + half_row > hard) hard = far[i] + half_row
         if (!n || !hard) { print "no hard braking in the table"; exit }
         owed = (5 - hard) / v - 0.16
         if (owed > 0.8) owed = 0.8
