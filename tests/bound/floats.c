@@ -36,10 +36,10 @@ static void work_to_integer(void)
 static void work_from_integer(void)
 {
     out.real[0] = in.u8[0];
-    out.real[0] = in.u16[0];
-    out.real[0] = in.s16[0];
-    out.real[0] = in.u32[0];
-    out.real[0] = in.s32[0];
+    out.real[1] = in.u16[0];
+    out.real[2] = in.s16[0];
+    out.real[3] = in.u32[0];
+    out.real[4] = in.s32[0];
 }
 
 void main(void)

@@ -9,7 +9,7 @@ struct input {
     int s16[2];
     unsigned long u32[2];
     long s32[2];
-    float real[2];
+    float real[5]; /* in: two of them */
 };
 static volatile __xdata __at(0) struct input in;
 static volatile __xdata __at(64) struct input out;

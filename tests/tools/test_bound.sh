@@ -64,6 +64,19 @@ refuses "a loop without number" 2 "--loop=strlen: give FUNCTION:N" "${loops[@]}"
 
 compile recursive
 compile pointer
+cat >"$out/late.c" <<'END'
+#include <8051.h>
+volatile unsigned char n;
+void late(void) __interrupt(1) { while (n != 0) { n >>= 1; } }
+void main(void) { IE = 0x82; for (;;) { } }
+END
+compile late
+late=(build/bound "$out/late.ihx" "$out/late.map" "$out/late.rst")
+refuses "an interrupt without a bound" 1 "$out/late.c:3): a loop without a bound" "${late[@]}"
+check "the stack has a bound nevertheless" sh -c '"$@" 2>/dev/null | grep -q "^stack: at most [0-9]* of [0-9]* bytes"' sh "${late[@]}"
+printf ':0100800022%s\n:00000001FF\n' 5D >"$out/part.ihx"
+refuses "an image that does not begin at 0" 1 'part.ihx: error: no code at address 0' build/bound "$out/part.ihx"
+
 refuses "recursion" 1 "$out/recursive.c:2: down calls itself: down > up > down; the stack of a recursion has no bound" \
     build/bound "$out/recursive.ihx" "$out/recursive.map" "$out/recursive.rst"
 refuses "a call through a pointer" 1 "called at $out/pointer.c:2): calls through a function pointer" \

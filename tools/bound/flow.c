@@ -444,6 +444,12 @@ static bool is_atomic_routine(const struct hexfile *hex, uint16_t vector)
 bool flow_follow(struct flow *flow)
 {
     values_world_init(&flow->world, flow->hex->code);
+    if (!flow->hex->used[0]) {
+        diag_error(
+            flow->path, 0,
+            "no code at address 0, where an 8051 begins; give an image that starts by itself");
+        return false;
+    }
     if (!follow_function(flow, 0, 0)) {
         return false;
     }

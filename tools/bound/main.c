@@ -102,10 +102,11 @@ static void print_path(const struct flow *flow, long entry)
 }
 
 /* Two interrupts of one priority level never run at the same time; one of the high level may
- * interrupt one of the low level. Sets *STACK to what they take together. */
+ * interrupt one of the low level. Sets *STACK to what they take together. An interrupt without a
+ * bound in time has one in stack. */
 static int print_interrupts(struct flow *flow, int *stack)
 {
-    int most[2] = {0, 0};
+    int most[2] = {0, 0}, status = EXIT_FINE;
 
     for (int n = 0; n < FLOW_INTERRUPTS; n++) {
         uint16_t entry;
@@ -115,33 +116,33 @@ static int print_interrupts(struct flow *flow, int *stack)
         if (!flow_interrupt(flow, n, &entry)) {
             continue;
         }
-        if (!flow_cycles(flow, entry, false, &cycles)) {
-            return EXIT_INPUT;
+        printf("%s: interrupt at 0x%02X, %s level, %d bytes", listing_name(flow->listing, entry),
+               8 * n + 3, level ? "high" : "low", flow_stack(flow, entry));
+        if (flow_cycles(flow, entry, false, &cycles)) {
+            printf(", at most %ld cycles\n", cycles);
+        } else {
+            printf("\n");
+            status = EXIT_INPUT;
         }
-        printf("%s: interrupt at 0x%02X, %s level, %d bytes, at most %ld cycles\n",
-               listing_name(flow->listing, entry), 8 * n + 3, level ? "high" : "low",
-               flow_stack(flow, entry), cycles);
         if (flow_stack(flow, entry) > most[level]) {
             most[level] = flow_stack(flow, entry);
         }
     }
     *stack = most[0] + most[1];
-    return EXIT_FINE;
+    return status;
 }
 
 static int print_stack(struct flow *flow, int iram)
 {
     int room = iram - 1 - flow->stack_base, most, interrupts;
+    int status = print_interrupts(flow, &interrupts);
 
-    if (print_interrupts(flow, &interrupts) != EXIT_FINE) {
-        return EXIT_INPUT;
-    }
     most = flow_stack(flow, 0) - FLOW_RETURN_ADDRESS + interrupts; /* nothing called the reset */
     printf("stack: at most %d of %d bytes, %d for interrupts; deepest ", most, room, interrupts);
     print_path(flow, flow_deepest(flow, 0) < 0 ? 0 : flow_deepest(flow, 0));
     putchar('\n');
     if (most < room) { /* the last byte tells the firmware of an overflow */
-        return EXIT_FINE;
+        return status;
     }
     return diag_error(
         flow->path, 0,

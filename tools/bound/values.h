@@ -20,7 +20,7 @@ enum {
     VALUES_REPEATS = 256
 };
 
-enum value_kind {
+enum {
     VALUE_NONE,  /* no path has come here yet */
     VALUE_CONST, /* number, 0..255 */
     VALUE_ENTRY, /* what the byte PLACE was at the function's entry, plus number, modulo 256 */
