@@ -51,7 +51,7 @@ void follow_look_up(void)
 {
     int16_t gap_mm = (int16_t)(follow.gap_mm < GAP_END_MM ? follow.gap_mm : GAP_END_MM);
     int16_t closing_mmps = (int16_t)((int16_t)follow.own_mmps - (int16_t)follow.lead_mmps);
-    int16_t to_change_mm = (int16_t)(gap_mm - FOLLOW_CHANGE_MM);
+    int16_t to_change_mm = (int16_t)(gap_mm - (int16_t)follow.change_mm);
     uint8_t gap_first = FIRST_CELL(gap_mm, gap_mm_at);
     uint8_t gap_last = LAST_CELL(gap_mm, gap_mm_at);
     uint8_t closing_first = FIRST_CELL(closing_mmps, closing_mmps_at);
@@ -103,6 +103,7 @@ static void set_outputs(void)
 void follow_init(void)
 {
     follow.state = FOLLOW_WAITING;
+    follow.change_mm = FOLLOW_CHANGE_MM;
     follow.stop = true;
     follow.command_x2 = -2;
     follow.change_x2 = 0;
@@ -119,14 +120,17 @@ bool follow_read(void)
     uint16_t gap_mm = frame_u16(0);
     uint16_t own_mmps = frame_u16(2);
     uint16_t lead_mmps = frame_u16(4);
+    uint16_t change_mm = frame_u16(7);
 
     if (gap_mm > FOLLOW_GAP_MAX_MM || own_mmps > FOLLOW_SPEED_MAX_MMPS ||
-        lead_mmps > FOLLOW_SPEED_MAX_MMPS || frame_body[6] > 1) {
+        lead_mmps > FOLLOW_SPEED_MAX_MMPS || frame_body[6] > 1 ||
+        change_mm < FOLLOW_CHANGE_MIN_MM || change_mm > FOLLOW_CHANGE_MAX_MM) {
         return false;
     }
     follow.gap_mm = gap_mm;
     follow.own_mmps = own_mmps;
     follow.lead_mmps = lead_mmps;
+    follow.change_mm = change_mm;
     follow.lane_is_taken = frame_body[6] != 0;
     return true;
 }

@@ -17,12 +17,16 @@
 #include <stdint.h>
 
 /* Payload of FRAME_FOLLOW: gap (u16, mm), own speed (u16, mm/s), lead's speed (u16, mm/s), the next
- * lane (u8, 0: free, 1: taken). */
-#define FOLLOW_PAYLOAD_BYTES  7
+ * lane (u8, 0: free, 1: taken), the change distance (u16, mm). */
+#define FOLLOW_PAYLOAD_BYTES  9
 #define FOLLOW_GAP_MAX_MM     20000U /* beyond 10 m nothing changes */
 #define FOLLOW_SPEED_MAX_MMPS 2500U  /* a robot drives 0..2 m/s */
 
-#define FOLLOW_CHANGE_MM 1000 /* the change distance */
+/* The change distance: nearer, the robot slows down instead of asking for the next lane. It matters
+ * below a gap of 2 m only, where the table has VN. */
+#define FOLLOW_CHANGE_MIN_MM 100U
+#define FOLLOW_CHANGE_MAX_MM 1900U
+#define FOLLOW_CHANGE_MM     1000U /* as published, until a frame says another one */
 
 /* Whether the rules beside the table hold; 0 for the system as published. */
 #ifdef FOLLOW_AS_PUBLISHED
@@ -45,6 +49,7 @@ enum follow_state {
 
 struct follow {
     uint16_t gap_mm, own_mmps, lead_mmps; /* as last read */
+    uint16_t change_mm;                   /* the change distance, as last read */
     bool lane_is_taken;
     int8_t command_x2; /* -2 slow down, 0 hold, 2 speed up, by 2 m/s2; -1 and 1: on a threshold */
     uint8_t change_x2; /* 0 stay, 2 change lanes; 1 on a threshold: not yet */
@@ -61,6 +66,7 @@ extern struct follow follow;
 /*@ predicate follow_is_valid =
         follow.gap_mm <= FOLLOW_GAP_MAX_MM && follow.own_mmps <= FOLLOW_SPEED_MAX_MMPS &&
         follow.lead_mmps <= FOLLOW_SPEED_MAX_MMPS && follow.brake_pct <= 100 &&
+        FOLLOW_CHANGE_MIN_MM <= follow.change_mm <= FOLLOW_CHANGE_MAX_MM &&
         -2 <= follow.command_x2 <= 2 && follow.change_x2 <= 2 && follow.state <= FOLLOW_FAULT &&
         FOLLOW_THROTTLE_CLOSED_US <= follow.throttle_us <= FOLLOW_THROTTLE_FULL_US; */
 
@@ -70,7 +76,8 @@ extern struct follow follow;
 void follow_init(void);
 
 /* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if a value
- * is out of range: gap > FOLLOW_GAP_MAX_MM, a speed > FOLLOW_SPEED_MAX_MMPS, a lane not 0 or 1. */
+ * is out of range: gap > FOLLOW_GAP_MAX_MM, a speed > FOLLOW_SPEED_MAX_MMPS, a lane not 0 or 1,
+ * a change distance not in FOLLOW_CHANGE_MIN_MM..FOLLOW_CHANGE_MAX_MM. */
 /*@ requires follow_is_valid;
     ensures follow_is_valid;
     ensures !\result ==> follow == \old(follow); */

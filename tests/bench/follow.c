@@ -22,4 +22,5 @@ void bench_payload(uint16_t n)
     n /= GAPS;
     put(2, n * 500U > 2000U ? n * 500U - 2000U : 0);
     put(4, n * 500U > 2000U ? 0 : 2000U - n * 500U);
+    put(7, 1000);
 }

@@ -20,6 +20,7 @@ void step(void)
     put_u16(follow.gap_mm);
     put_u16(follow.own_mmps);
     put_u16(follow.lead_mmps);
+    put_u16(follow.change_mm);
     put(follow.lane_is_taken);
     put((uint8_t)follow.command_x2);
     put(follow.change_x2);
@@ -57,7 +58,8 @@ void draw(void)
     to = add_u16(to, draw_gap_mm());
     to = add_u16(to, own_mmps);
     to = add_u16(to, lead_mmps);
-    *to = (uint8_t)(chance(50) == 0 ? chance(256) : chance(2));
+    *to++ = (uint8_t)(chance(50) == 0 ? chance(256) : chance(2));
+    add_u16(to, draw_u16(FOLLOW_CHANGE_MIN_MM - 1, FOLLOW_CHANGE_MAX_MM + 1));
     draw_frame(FRAME_FOLLOW, payload, sizeof payload);
     give(chance(4) == 0);
     give((uint8_t)chance(101));

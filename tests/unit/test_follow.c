@@ -152,6 +152,38 @@ static void payload(uint16_t gap_mm, uint16_t own_mmps, uint16_t lead_mmps, uint
     frame_body[4] = (uint8_t)(lead_mmps >> 8);
     frame_body[5] = (uint8_t)lead_mmps;
     frame_body[6] = lane;
+    frame_body[7] = FOLLOW_CHANGE_MM >> 8;
+    frame_body[8] = FOLLOW_CHANGE_MM & 255;
+}
+
+static void change_distance(uint16_t change_mm)
+{
+    payload(1500, 1800, 0, 0);
+    frame_body[7] = (uint8_t)(change_mm >> 8);
+    frame_body[8] = (uint8_t)change_mm;
+}
+
+static void test_change_distance_comes_with_the_frame(void)
+{
+    change_distance(1449);
+    TEST_ASSERT_TRUE(follow_read());
+    follow_decide();
+    follow_decide();
+    TEST_ASSERT_TRUE(follow.asks_for_lane); /* 1.5 m is 0.05 m and more beyond it */
+    change_distance(1551);
+    TEST_ASSERT_TRUE(follow_read());
+    follow_decide();
+    TEST_ASSERT_FALSE(follow.asks_for_lane);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+    change_distance(FOLLOW_CHANGE_MIN_MM - 1);
+    TEST_ASSERT_FALSE(follow_read());
+    change_distance(FOLLOW_CHANGE_MAX_MM + 1);
+    TEST_ASSERT_FALSE(follow_read());
+    TEST_ASSERT_EQUAL_UINT16(1551, follow.change_mm);
+    change_distance(FOLLOW_CHANGE_MIN_MM);
+    TEST_ASSERT_TRUE(follow_read());
+    change_distance(FOLLOW_CHANGE_MAX_MM);
+    TEST_ASSERT_TRUE(follow_read());
 }
 
 static void test_payload_out_of_range_is_refused_and_changes_nothing(void)
@@ -315,6 +347,7 @@ int main(void)
 #if FOLLOW_YIELDS
     RUN_TEST(test_one_frame_neither_releases_the_brake_nor_asks_for_a_lane);
 #endif
+    RUN_TEST(test_change_distance_comes_with_the_frame);
     RUN_TEST(test_refused_change_brakes_unless_as_published);
     RUN_TEST(test_commands_become_brake_or_throttle);
     RUN_TEST(test_gap_beyond_the_table_is_a_far_one);

@@ -263,8 +263,9 @@ static void test_own_deceleration_counts_as_measured_and_as_demanded(void)
 #include <math.h>
 #include <stdio.h>
 
-/* Two cars as drive has them: dead time 0.05 s, lag 0.2 s, 8 m/s2 at 100 %; a frame each 50 ms takes
- * effect 20 ms later. Returns the least gap. A lead that brakes does so from the start to rest. */
+/* Two cars as drive has them: dead time 0.05 s, lag 0.2 s, 8 m/s2 at 100 %; a frame each 50 ms
+ * takes effect 20 ms later. Returns the least gap. A lead that brakes does so from the start to
+ * rest. */
 static double least_gap_m(double gap_m, double own_mps, double lead_mps, double lead_mps2,
                           bool brakes_fully)
 {

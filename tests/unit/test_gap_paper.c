@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The gap controller as published: the printed values of its specification, its table between the nodes, and its
- * integers against the laws in floating point. */
+/* The gap controller as published: the printed values of its specification, its table between the
+ * nodes, and its integers against the laws in floating point. */
 #define GAP_AS_PUBLISHED
 #include <stddef.h>
 #include "unity.h"

@@ -13,11 +13,12 @@
 #include <string.h>
 
 /* The frames of firmware/frames/frame.h and follow.h: lengths in mm, speeds in mm/s. */
-enum { KIND = 3, PAYLOAD_BYTES = 7, GAP_MAX_MM = 20000, SPEED_MAX_MMPS = 2500 };
+enum { KIND = 3, PAYLOAD_BYTES = 9, GAP_MAX_MM = 20000, SPEED_MAX_MMPS = 2500 };
 
 struct follow_settings {
     struct {
         double lead_mps; /* of the robot in the other lane; unset: that lane is taken */
+        double change_m; /* what the head says: nearer, the robot does not change lanes */
     } lane;
     struct head_noise noise;
     struct head_settings head;
@@ -31,13 +32,18 @@ static const struct key lane_keys[] = {
      .at = AT(lead_mps),
      .high = 2,
      .initial = SCENARIO_UNSET,
-     .unset = "the lane is taken",
-     .required = true},
+     .unset = "the lane is taken"},
+    {.name = "change_m",
+     .meaning = "the change distance that the head says: nearer, the robot slows down instead",
+     .at = AT(change_m),
+     .low = 0.1,
+     .high = 1.9,
+     .initial = 1},
 };
 #undef AT
 
 static const struct section lane_section = {.name = "lane",
-                                            .meaning = "the other lane, if it is free",
+                                            .meaning = "the other lane",
                                             SECTION_KEYS(lane_keys),
                                             .size = sizeof(((struct follow_settings *)NULL)->lane)};
 
@@ -213,6 +219,7 @@ static void sense(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
     head_put_16(payload + 4,
                 measured(world, world->robots.lead_mmps, settings->noise.lead_mps, SPEED_MAX_MMPS));
     payload[6] = !world->robots.lane_is_free;
+    head_put_16(payload + 7, lround(settings->lane.change_m * 1000));
 }
 
 /* --- pins --------------------------------------------------------------------------------- */
@@ -267,8 +274,12 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
 
 static void spoil(struct random *random, uint8_t *payload)
 {
-    static const struct head_value impossible[] = {
-        {0, 2, GAP_MAX_MM + 1}, {2, 2, SPEED_MAX_MMPS + 1}, {4, 2, 65535}, {6, 1, 2}};
+    static const struct head_value impossible[] = {{0, 2, GAP_MAX_MM + 1},
+                                                   {2, 2, SPEED_MAX_MMPS + 1},
+                                                   {4, 2, 65535},
+                                                   {6, 1, 2},
+                                                   {7, 2, 99},
+                                                   {7, 2, 1901}};
 
     head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
 }
