@@ -87,6 +87,11 @@ void follow_look_up(void)
     follow.change_x2 = (uint8_t)(change_least + change_most - LEVEL_ZERO_X2);
 }
 
+/*@ requires -2 <= follow.command_x2 <= 2;
+    assigns follow.brake_pct, follow.throttle_us;
+    ensures follow.brake_pct == (follow.command_x2 == -2 ? 100 : follow.command_x2 == -1 ? 50 : 0);
+    ensures follow.throttle_us == (follow.command_x2 == 2 ? FOLLOW_THROTTLE_FULL_US :
+                                   follow.command_x2 == 1 ? 1500 : FOLLOW_THROTTLE_CLOSED_US); */
 static void set_outputs(void)
 {
     follow.brake_pct = 0;
@@ -115,6 +120,7 @@ void follow_init(void)
     set_outputs();
 }
 
+/*@ assigns follow.gap_mm, follow.own_mmps, follow.lead_mmps, follow.lane_is_taken; */
 bool follow_read(void)
 {
     uint16_t gap_mm = frame_u16(0);
@@ -172,6 +178,9 @@ void follow_decide(void)
     set_outputs();
 }
 
+/*@ ensures follow_silence: follow.brake_pct >= fault_pct &&
+                follow.brake_pct >= \old(follow.brake_pct) &&
+                follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
 void follow_lose(uint8_t fault_pct)
 {
     follow.state = FOLLOW_FAULT;

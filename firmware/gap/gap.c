@@ -324,6 +324,7 @@ void gap_init(void)
 #endif
 }
 
+/*@ assigns gap.gap_cm, gap.own_cmps, gap.lead_cmps, gap.lead_cmps2, gap.set_cmps; */
 bool gap_read(void)
 {
     int16_t lead_cmps2 = (int16_t)frame_u16(6);
@@ -373,6 +374,9 @@ void gap_decide(void)
     set_outputs();
 }
 
+/*@ assigns gap.state, gap.throttle_us, gap.brake_pct, gap.accel_cmps2, asked_cmps2, late_cmps;
+    ensures gap_silence: gap.brake_pct >= fault_pct && gap.brake_pct >= \old(gap.brake_pct) &&
+                gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_lose(uint8_t fault_pct)
 {
     gap.state = GAP_FAULT;

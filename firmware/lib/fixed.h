@@ -61,7 +61,8 @@ inline uint16_t mul_hi_bytes(uint8_t a_high, uint8_t a_low, uint8_t b_high, uint
 /* a * b / 65536, rounded down, as a function: 72 mc with call and return. An interrupt must not
  * call it, because SDCC keeps its arguments at fixed addresses. */
 /*@ assigns \nothing;
-    ensures \result == (a * b) / 65536; */
+    ensures \result == (a * b) / 65536;
+    ensures \result <= a && \result <= b; */
 uint16_t mul_hi_u16(uint16_t a, uint16_t b);
 
 /* The whole product of two 16-bit numbers. About 120 mc; an interrupt must not call it. */

@@ -28,6 +28,9 @@ void park_init(void)
     park.state = PARK_WAITING;
 }
 
+/*@ assigns \nothing;
+    ensures \result == (theta > PARK_THETA_MAX_TURN16    ? PARK_THETA_MAX_TURN16
+                        : theta < -PARK_THETA_MAX_TURN16 ? -PARK_THETA_MAX_TURN16 : theta); */
 static int16_t limited(int32_t theta)
 {
     if (theta > PARK_THETA_MAX_TURN16) {
@@ -39,6 +42,7 @@ static int16_t limited(int32_t theta)
     return (int16_t)theta;
 }
 
+/*@ assigns \nothing; */
 static uint8_t weight_at(uint16_t dist_mm)
 {
     uint16_t cell;
@@ -54,6 +58,10 @@ static uint8_t weight_at(uint16_t dist_mm)
     return lut_at((uint8_t)cell, 0);
 }
 
+/*@ requires -PARK_THETA_MAX_TURN16 <= far_law <= PARK_THETA_MAX_TURN16;
+    requires -PARK_THETA_MAX_TURN16 <= near_law <= PARK_THETA_MAX_TURN16;
+    assigns \nothing;
+    ensures \min(far_law, near_law) <= \result <= \max(far_law, near_law); */
 static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
 {
     int16_t more = far_law - near_law; /* -16384..16384 */
@@ -68,6 +76,7 @@ static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
     return more < 0 ? near_law - part : near_law + part;
 }
 
+/*@ assigns park.dist_mm, park.weight, park.theta_far, park.theta_near, park.theta, cordic_polar; */
 void park_steer(void)
 {
     int16_t delta = (int16_t)(park.heading - QUARTER_TURN);
@@ -87,6 +96,7 @@ void park_steer(void)
     park.theta = blended(park.theta_far, park.theta_near, park.weight);
 }
 
+/*@ assigns park.x, park.y, park.heading; */
 bool park_read(void)
 {
     int16_t x = (int16_t)frame_u16(0);
@@ -101,6 +111,8 @@ bool park_read(void)
     return true;
 }
 
+/*@ assigns park.state, park.dist_mm, park.weight, park.theta_far, park.theta_near, park.theta,
+            park.servo_us, cordic_polar; */
 void park_decide(void)
 {
     uint16_t off_us;

@@ -30,6 +30,14 @@ static __idata uint8_t asked_pct;      /* what the last frame asked the brake fo
  * FAULT is the first state, it counts as such. */
 static __idata bool is_approach;
 
+/* Holds from radar_init on. */
+/*@ predicate radar_counts = frames_less < FRAMES_AWAY && frames_closing <= RADAR_CLOSING_FRAMES &&
+        asked_pct <= BRAKE_FULL_PCT && (radar.state == RADAR_BRAKING ==> is_approach) &&
+        (radar.state <= RADAR_HOLDING ==> radar.brake_pct == 0); */
+
+/*@ assigns radar.flags, radar.brake_pct, radar.state, frames_less, frames_closing, asked_pct,
+            is_approach;
+    ensures radar_counts; */
 void radar_init(void)
 {
     radar.flags = 0;
@@ -97,6 +105,10 @@ bool radar_read(void)
 }
 
 /* What the table says, and in doubt what the frame before asked for. */
+/*@ requires radar_counts && radar.state == RADAR_BRAKING;
+    assigns radar.row, radar.col, radar.level, radar.brake_pct, asked_pct;
+    ensures radar_counts;
+    ensures BRAKE_COAST_PCT <= asked_pct <= radar.brake_pct <= BRAKE_FULL_PCT; */
 static void brake(void)
 {
     uint8_t before_pct = asked_pct;
@@ -113,6 +125,7 @@ static void brake(void)
 }
 
 /* Whether the closing speed is no noise. */
+/*@ assigns \nothing; */
 static bool is_sure(void)
 {
     return radar.closing_dkmh > RADAR_SURE_DKMH || radar.range_cm < RADAR_NEAR_CM ||
@@ -120,6 +133,12 @@ static bool is_sure(void)
 }
 
 /* The state that the target in the own lane asks for. */
+/*@ requires radar_is_valid;
+    assigns \nothing;
+    ensures \result <= RADAR_BRAKING;
+    ensures \result == RADAR_BRAKING ==> radar.closing_dkmh > 0;
+    ensures radar.closing_dkmh > 0 && is_approach && radar.state != RADAR_DRIVER ==>
+                \result == RADAR_BRAKING; */
 static uint8_t wanted_state(void)
 {
     uint16_t gate_cm = radar.safe_cm < GATE_RANGE_MAX_CM ? radar.safe_cm : GATE_RANGE_MAX_CM;
@@ -137,6 +156,15 @@ static uint8_t wanted_state(void)
     return RADAR_HOLDING;
 }
 
+/*@ requires radar_counts;
+    assigns radar.safe_cm, radar.row, radar.col, radar.level, radar.brake_pct, radar.state,
+            frames_less, frames_closing, asked_pct, is_approach;
+    ensures radar_counts;
+    ensures radar_holds: \old(radar.state) == RADAR_BRAKING && radar.state < RADAR_BRAKING ==>
+                (radar.closing_dkmh <= 0 && \old(frames_less) + 1 >= FRAMES_LESS) ||
+                \old(frames_less) + 1 >= FRAMES_AWAY;
+    ensures radar_holds: radar.state < RADAR_BRAKING || radar.brake_pct >= BRAKE_COAST_PCT ||
+                radar.brake_pct == \old(radar.brake_pct); */
 void radar_decide(void)
 {
     uint8_t wanted = RADAR_DRIVER;
@@ -174,6 +202,11 @@ void radar_decide(void)
     }
 }
 
+/*@ requires radar_counts;
+    assigns radar.state, radar.brake_pct, is_approach, frames_less, frames_closing, asked_pct;
+    ensures radar_counts;
+    ensures radar_silence: radar.state == RADAR_FAULT && radar.brake_pct >= fault_pct &&
+                radar.brake_pct >= \old(radar.brake_pct); */
 void radar_lose(uint8_t fault_pct)
 {
     if (radar.state == RADAR_HOLDING) {
