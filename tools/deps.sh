@@ -18,6 +18,7 @@ packages_for() {
     unit) echo "$build parallel" ;;
     test) echo "$build $page gnuplot-nox chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
+    # Debian 13 has no Frama-C, so its users cannot run the proofs.
     prove) echo "$build frama-c-base why3 z3 cvc4" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
     report) echo "$build $page" ;;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Telemetry for Eva's main loops: any character at any time. The real one is in eva_lines.c, with
- * every line that the controller sends. */
+/* Telemetry for Eva's main loops: any character at any time. The real one is tested, not proved. */
 #ifndef FUZZY51_PROVE_TELEMETRY_H
 #define FUZZY51_PROVE_TELEMETRY_H
 

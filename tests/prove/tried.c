@@ -85,8 +85,7 @@ static bool is_every_cell_right(void)
     for (long x = 0; x <= UINT16_MAX; x++) {
         uint16_t value = (uint16_t)x;
 
-        if (cell_row(value) !=
-                cell_at(x - LUT_IN1_MIN_MILLI, LUT_IN1_SPAN_MILLI, LUT_IN1_CELLS) ||
+        if (cell_row(value) != cell_at(x - LUT_IN1_MIN_MILLI, LUT_IN1_SPAN_MILLI, LUT_IN1_CELLS) ||
             cell_col(value, 0) !=
                 cell_at(x - LUT_IN2_MIN_MILLI, LUT_IN2_SPAN_MILLI, LUT_IN2_CELLS) ||
             cell_col(0, value) !=
@@ -113,7 +112,8 @@ static bool is_every_crc_right(void)
             uint16_t bits = (uint16_t)(sum ^ byte << 8);
 
             for (unsigned n = 0; n < 8; n++) {
-                bits = (uint16_t)(bits & 0x8000U ? (unsigned)bits << 1 ^ 0x1021U : (unsigned)bits << 1);
+                bits = (uint16_t)(bits & 0x8000U ? (unsigned)bits << 1 ^ 0x1021U
+                                                 : (unsigned)bits << 1);
             }
             CRC16_ADD(high, low, byte);
             if ((high << 8 | low) != bits) {
@@ -130,7 +130,8 @@ int main(void)
     say("bits.h: casts, masks and shifts are remainders, quotients and products",
         is_every_shift_a_quotient());
     say("bits.h: `or` of parts that do not overlap is their sum", is_every_or_a_sum());
-    say("cell.h: the row of each distance and the column of each speed; lut.h: each cell is a level",
+    say("cell.h: the row of each distance and the column of each speed; lut.h: each cell is a "
+        "level",
         is_every_cell_right());
     say("crc16.h: the sum in one step is that of the polynomial", is_every_crc_right());
     return is_proved ? EXIT_SUCCESS : EXIT_FAILURE;
