@@ -43,6 +43,8 @@ void hal_uart_put(char c);
 /*@ assigns \nothing; */
 char hal_uart_get(void);
 /*@ assigns \nothing; */
+void hal_registers_restore(void);
+/*@ assigns \nothing; */
 void hal_watchdog_feed(void);
 /*@ assigns \nothing;
     ensures \result <= HAL_RESET_PIN; */
