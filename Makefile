@@ -80,7 +80,7 @@ test-long: ## the two engines beside each other on every drive; the brake with t
 attack:    ## 10,000 drives of chance for each law of the brake; fails if one in a thousand is odd
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
 test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail
-fuzz:      ## odd input for fistab, bound and drive, for FUZZ_SECONDS in all
+fuzz:      ## odd input for fistab, bound, drive and its simulator, for FUZZ_SECONDS in all
 pictures:  ## the pictures in docs/pictures
 $(TARGETS):
 	@tools/deps.sh $(firstword $(subst -, ,$(@:test-prove=prove)))
