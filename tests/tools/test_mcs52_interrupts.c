@@ -76,7 +76,7 @@ static void test_that_timer_2_is_polled_in_the_cycle_of_its_overflow(void)
     set(TL2, 0xF0);
     set(IE, 0xA0);
     set(T2CON, 0x04);
-    TEST_ASSERT_EQUAL_UINT64(timer_0 - 1, begins(5, 100));
+    TEST_ASSERT_TRUE(begins(5, 100) == timer_0 - 1);
 }
 
 /* Intel: requests of one level at once are served in the order of polling: IE0, TF0, IE1, TF1,

@@ -186,9 +186,11 @@ static void test_that_a_watchdog_may_stand_in_idle(void)
         mcs52_run(chip, period * 2 + 20000);
         TEST_ASSERT_EQUAL(1, reset_count);
         if (cases[i].stands) {
-            TEST_ASSERT_UINT64_WITHIN(10, started + period + 10000 - asleep, reset_cycle);
+            uint64_t wanted = started + period + 10000 - asleep;
+
+            TEST_ASSERT_TRUE(reset_cycle + 10 > wanted && reset_cycle < wanted + 10);
         } else {
-            TEST_ASSERT_EQUAL_UINT64(started + period, reset_cycle);
+            TEST_ASSERT_TRUE(reset_cycle == started + period);
         }
     }
 }
