@@ -317,8 +317,8 @@ static void test_that_a_target_beside_the_lane_comes_second(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 8, car.record.min_gap_m);
 }
 
-/* 2 m/s; 4 m/s2 off from 1 s on; let go at 1.25 s with 1 m/s after 0.375 m; 2 m/s2 on from 2 s to 3 m/s;
- * by hand: at 2 s 2 + 0.375 + 0.75 m, 1 s later 1 + 1 m more at 3 m/s, then 3 m a second. */
+/* 2 m/s; 4 m/s2 off from 1 s on; let go at 1.25 s with 1 m/s after 0.375 m; 2 m/s2 on from 2 s to
+ * 3 m/s; by hand: at 2 s 2 + 0.375 + 0.75 m, 1 s later 1 + 1 m more at 3 m/s, then 3 m a second. */
 static void test_that_a_lead_obeys_commands(void)
 {
     put_lead(100, 2);
