@@ -3,7 +3,8 @@
 UNITY       := build/deps/unity/src
 UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)
 
-include $(wildcard tests/*/rules.mk)
+# The unit tests first: others build on them.
+include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/rules.mk))
 
 # Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip; the
 # drives of each board, law and controller, and ten minutes at the STOP pin. s51 drives the brake on the
@@ -21,7 +22,7 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
     $(OTHER_BOARDS:%='tests/run_loop.sh %') \
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(LAW_BOARD) tests/loop/$(law)') \
-    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES)
+    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES) $(COVERAGE_SUITE)
 
 # Slow tests: in s51 what the fast engine runs in `test`, but the ten minutes, drives with their outcomes
 # compared; every drive of the brake with the other estimator; the long run of chip against host.
@@ -50,7 +51,7 @@ run-unit-chip: $(WANTED_CHIPS) $(FAST_CHIPS)
 	@tests/run.sh $(WANTED_CHIPS:%='tests/run_chip.sh %')
 
 .PHONY: test-build run-test run-test-long
-test-build: all grid surfaces $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) $(FAST_CHIPS) compiler-build build/wasm/page.wasm
+test-build: all grid surfaces $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) $(FAST_CHIPS) compiler-build build/wasm/page.wasm $(COVERAGE_TESTS)
 run-test:
 	@$(MAKE) -j$$(nproc) test-build
 	@ENGINE=$(or $(ENGINE),fast) tests/run.sh $(TEST_SUITES)

@@ -103,6 +103,7 @@ void target_expect(uint8_t elapsed_cs)
     is_moving = false;
     if (stuck_readings != 0) {
         stuck_readings--;
+        /* unreached: the second part holds only after a bit of RAM has turned over */
         if (stuck_readings == 0 || stuck_readings >= TARGET_REST_READINGS) {
             drop();
         }

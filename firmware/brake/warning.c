@@ -21,6 +21,7 @@ bool warning_take(bool has_reason)
 {
     if (has_reason) {
         left_readings = WARNING_CALM_READINGS;
+        /* unreached: the second part holds only after a bit of RAM has turned over */
     } else if (target_worth == TARGET_NONE || left_readings > WARNING_CALM_READINGS) {
         left_readings = 0;
     } else if (left_readings != 0) {

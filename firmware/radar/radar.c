@@ -118,6 +118,7 @@ static void brake(void)
     radar.level = lut_at(radar.row, radar.col);
     /* 0.8 m/s2, and 0.03 m/s2 for each level; 100 % is 8 m/s2. */
     asked_pct = (uint8_t)(BRAKE_COAST_PCT + (uint8_t)((uint16_t)(radar.level * 3U + 4U) >> 3));
+    /* unreached: 240 levels are 100 %; a table with more would need this */
     if (asked_pct > BRAKE_FULL_PCT) {
         asked_pct = BRAKE_FULL_PCT;
     }

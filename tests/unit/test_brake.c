@@ -860,6 +860,35 @@ static void test_warning_ends_half_a_second_after_its_reason(void)
     TEST_ASSERT_TRUE(i < 25);
 }
 
+static void test_a_missing_echo_of_a_target_beyond_reach_brakes_nothing(void)
+{
+    start();
+    echo(5900);
+    echo(5800);
+    echo(5700);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_TRACKED, target_worth);
+    TEST_ASSERT_TRUE(CLOSING_LAW.closing_mmps >= BRAKE_APPROACH_MMPS);
+    measure(RANGE_NOT_RISEN, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+}
+
+static void test_a_target_that_slows_down_is_followed_two_columns_behind(void)
+{
+    law_restart();
+    closing_difference.opening_mmps = 0;
+    closing_difference.closing_mmps = 3675; /* the middle of column 10 */
+    law_step(TARGET_TRACKED, 3000);
+    TEST_ASSERT_EQUAL_UINT8(10, law_answer.col);
+    closing_difference.closing_mmps = 2975; /* of column 8 */
+    law_step(TARGET_TRACKED, 3000);
+    TEST_ASSERT_EQUAL_UINT8(10, law_answer.col);
+    closing_difference.closing_mmps = 2625; /* of column 7 */
+    law_step(TARGET_TRACKED, 3000);
+    TEST_ASSERT_EQUAL_UINT8(9, law_answer.col);
+    TEST_ASSERT_EQUAL_UINT8(lut_at(law_answer.row, 9), law_answer.brake_pct);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -915,5 +944,7 @@ int main(void)
     RUN_TEST(test_warning_comes_800_ms_before_hard_braking_or_with_the_second_reading);
     RUN_TEST(test_no_warning_while_nothing_closes);
     RUN_TEST(test_warning_ends_half_a_second_after_its_reason);
+    RUN_TEST(test_a_missing_echo_of_a_target_beyond_reach_brakes_nothing);
+    RUN_TEST(test_a_target_that_slows_down_is_followed_two_columns_behind);
     return UNITY_END();
 }

@@ -207,6 +207,19 @@ static void test_same_count_again_is_a_head_that_repeats_itself(void)
     TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
 }
 
+static void test_count_of_bad_frames_stops_at_its_end(void)
+{
+    uint16_t i;
+
+    for (i = 0; i < 65534U; i++) {
+        frame_refuse();
+    }
+    TEST_ASSERT_EQUAL_UINT16(65534U, frame_bad_count());
+    frame_refuse();
+    frame_refuse();
+    TEST_ASSERT_EQUAL_UINT16(65535U, frame_bad_count());
+}
+
 static void test_other_kinds_are_passed_over(void)
 {
     encode(FRAME_GAP, 3);
@@ -306,7 +319,7 @@ static void test_head_that_answers_every_second_trigger_only_is_too_slow(void)
         TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(frame));
         TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer((uint8_t)(201 + frame)));
     }
-    for (frame = 0; frame < 254; frame++) {
+    for (frame = 255; frame != 0; frame--) {
         (void)frame_ask(); /* the count of unanswered triggers stops */
     }
     TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(3));
@@ -337,6 +350,7 @@ int main(void)
     RUN_TEST(test_frame_that_nobody_asked_for_is_bad);
     RUN_TEST(test_frame_that_is_late_is_dropped_when_the_next_is_asked_for);
     RUN_TEST(test_head_that_answers_every_second_trigger_only_is_too_slow);
+    RUN_TEST(test_count_of_bad_frames_stops_at_its_end);
     RUN_TEST(test_other_kinds_are_passed_over);
     RUN_TEST(test_refused_values_count_as_bad);
     return UNITY_END();

@@ -49,11 +49,17 @@ static void test_stop_line_at_one_metre(void)
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
 }
 
+static void test_it_would_brake_fully_for_any_target(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(100, law_pct(5000, &closing_smooth));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_full_brake_at_first_sight);
     RUN_TEST(test_full_brake_while_anything_is_there);
     RUN_TEST(test_stop_line_at_one_metre);
+    RUN_TEST(test_it_would_brake_fully_for_any_target);
     return UNITY_END();
 }

@@ -217,6 +217,18 @@ static void test_small_closing_speed_brakes_only_when_it_lasts(void)
     TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
 }
 
+static void test_small_closing_speed_that_has_lasted_long_is_sure(void)
+{
+    uint16_t frame;
+
+    for (frame = 0; frame < 256U + RADAR_CLOSING_FRAMES / 2U; frame++) {
+        step(12000, RADAR_SURE_DKMH, 60 * KMH); /* beyond the gate */
+        expect(RADAR_DRIVER, 0);
+    }
+    step(3000, RADAR_SURE_DKMH, 60 * KMH);
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
+}
+
 static void test_large_closing_speed_brakes_at_once(void)
 {
     hold();
@@ -268,6 +280,8 @@ static void test_beats_without_a_sign_are_refused_where_it_matters(void)
     TEST_ASSERT_FALSE(radar_read());
     send(44898, 55172, 0, 100 * KMH, 0, RADAR_TARGET);
     TEST_ASSERT_TRUE(radar_read());
+    send(15277, -5270, 0, 200 * KMH, 0, RADAR_TARGET); /* a beat without a sign is not negative */
+    TEST_ASSERT_FALSE(radar_read());
 }
 
 static void test_target_in_the_next_lane_of_a_bend_is_left_alone(void)
@@ -433,6 +447,7 @@ int main(void)
     RUN_TEST(test_holding_ends_beyond_the_safe_distance);
     RUN_TEST(test_holding_ends_at_the_third_frame_without_a_target);
     RUN_TEST(test_small_closing_speed_brakes_only_when_it_lasts);
+    RUN_TEST(test_small_closing_speed_that_has_lasted_long_is_sure);
     RUN_TEST(test_large_closing_speed_brakes_at_once);
     RUN_TEST(test_near_target_is_braked_for_at_any_closing_speed);
     RUN_TEST(test_brake_falls_only_when_two_frames_ask_for_less);

@@ -62,10 +62,25 @@ static void test_one_wrong_slice_fails_wherever_it_is(void)
     }
 }
 
+static void test_last_slice_may_be_short(void)
+{
+    uint16_t at;
+
+    for (at = 0; at < LUT_BYTES - 5; at++) {
+        crc = lut_crc16(crc, at, 1);
+    }
+    offset = LUT_BYTES - 5;
+    seen_bytes = offset;
+    wrong_at = 0xFFFFU;
+    TEST_ASSERT_EQUAL_UINT8(SELFTEST_PASSED, selftest_table());
+    TEST_ASSERT_EQUAL_UINT16(LUT_BYTES, seen_bytes);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_the_whole_table_passes);
     RUN_TEST(test_one_wrong_slice_fails_wherever_it_is);
+    RUN_TEST(test_last_slice_may_be_short);
     return UNITY_END();
 }

@@ -168,6 +168,14 @@ static void test_a_time_too_short_counts_as_the_shortest(void)
 
 /* --- the one aside ---------------------------------------------------------------------------- */
 
+static void test_a_time_too_long_does_not_wrap(void)
+{
+    track(3000, 60, 4);
+    target_expect(10);
+    target_expect(250);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+}
+
 static void test_one_stray_echo_leaves_the_target_alone(void)
 {
     track(4000, 60, 6);
@@ -534,6 +542,7 @@ int main(void)
     RUN_TEST(test_the_window_moves_with_the_target);
     RUN_TEST(test_a_target_begins_anew_after_a_long_silence);
     RUN_TEST(test_a_time_too_short_counts_as_the_shortest);
+    RUN_TEST(test_a_time_too_long_does_not_wrap);
     RUN_TEST(test_one_stray_echo_leaves_the_target_alone);
     RUN_TEST(test_the_second_echo_of_another_target_makes_it_the_target);
     RUN_TEST(test_of_two_seen_once_the_one_seen_last_is_confirmed);

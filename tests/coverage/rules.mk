@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# Coverage: the unit tests once more, as gcov wants them; run.sh adds up what they reached.
+COVERAGE       := build/coverage
+COVERAGE_TESTS := $(UNIT_TESTS:build/%=$(COVERAGE)/%)
+
+$(COVERAGE)/%.o: %.c build/unit/lut_table.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) -g -O0 --coverage -std=c11 -w -MMD -MP $(UNIT_FLAGS) -c $< -o $@
+$(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: UNIT_FLAGS := -Ibuild/unit/$(image) $(UNIT_FLAGS)))
+$(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: build/unit/$(image)/lut_table.h))
+$(COVERAGE)/unity.o: $(UNITY)/unity.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O1 -w -c $< -o $@
+$(COVERAGE)/liblogic.a: $(LOGIC_SRC:%.c=$(COVERAGE)/%.o)
+	$(Q)rm -f $@; ar rcs $@ $^
+$(COVERAGE_TESTS): $(COVERAGE)/unit/%: $(COVERAGE)/tests/unit/%.o $(COVERAGE)/unity.o $(COVERAGE)/liblogic.a
+	@mkdir -p $(@D)
+	$(Q)$(CC) --coverage $^ -lm -o $@
+
+COVERAGE_SUITE := 'tests/coverage/test_coverage.sh $(COVERAGE_TESTS)'
+
+-include $(wildcard $(COVERAGE)/*/*/*.d)
