@@ -78,9 +78,6 @@ char hal_uart_get(void)
 {
     return (char)any_byte();
 }
-void hal_registers_restore(void)
-{
-}
 void hal_watchdog_feed(void)
 {
 }
