@@ -120,7 +120,8 @@ void follow_init(void)
     set_outputs();
 }
 
-/*@ assigns follow.gap_mm, follow.own_mmps, follow.lead_mmps, follow.lane_is_taken; */
+/*@ assigns follow.gap_mm, follow.own_mmps, follow.lead_mmps, follow.lane_is_taken,
+            follow.change_mm; */
 bool follow_read(void)
 {
     uint16_t gap_mm = frame_u16(0);
