@@ -25,8 +25,9 @@ awk -v took="$took_ms" -v simulated="$end_ms" 'BEGIN { exit took < simulated }'
 say "not faster than real time" $? "$took_ms ms for $end_ms ms"
 
 # Interrupted once the picture is there, however long a busy machine takes to it.
-cat >"$out/break.sh" <<END
-$run --live &
+for engine in s51 fast; do
+    cat >"$out/break.sh" <<END
+$run --live --engine=$engine &
 for _ in \$(seq 300); do
     grep -q 'brake' $out/broken && break
     sleep 0.1
@@ -34,10 +35,11 @@ done
 kill -INT \$!
 wait \$!
 END
-rm -f "$out/broken"
-TERM=xterm timeout 60 script -qfec "bash $out/break.sh" "$out/broken" >/dev/null 2>&1 </dev/null
-[ "$(grep -ao $'\033\[?25[lh]' "$out/broken" | tail -n 1)" = $'\033[?25h' ] && grep -q "interrupted" "$out/broken"
-say "an interrupt gives the cursor back" $? "$(tail -n 1 "$out/broken")"
+    rm -f "$out/broken"
+    TERM=xterm timeout 60 script -qfec "bash $out/break.sh" "$out/broken" >/dev/null 2>&1 </dev/null
+    [ "$(grep -ao $'\033\[?25[lh]' "$out/broken" | tail -n 1)" = $'\033[?25h' ] && grep -q "interrupted" "$out/broken"
+    say "an interrupt gives the cursor back, with $engine" $? "$(tail -n 1 "$out/broken")"
+done
 
 picture() { # SCENARIO LINES [option...]: its last picture in a terminal, of that many lines, to $out/picture
     scenario=$1 lines=$2

@@ -14,11 +14,13 @@
 #include "protocols.h"
 #include "run.h"
 #include "s51.h"
+#include "sim.h"
 #include "trace.h"
 
 #include <argp.h>
 #include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -429,6 +431,24 @@ static const struct manual manual = {
     .commands = 1,
 };
 
+static void interrupt(int number)
+{
+    (void)number;
+    sim_is_interrupted = true;
+}
+
+/* An interrupted run cleans up: the simulator ends, and a terminal gets its cursor back. */
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = interrupt};
+
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+    signal(SIGPIPE, SIG_IGN);
+}
+
 int main(int argc, char **argv)
 {
     struct arguments arguments = {.map = "normal",
@@ -443,7 +463,7 @@ int main(int argc, char **argv)
         return status;
     }
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
-    s51_catch_signals();
+    catch_signals();
     command = arguments.word_count > 0 ? arguments.words[0] : "";
     if (strcmp(command, "run") == 0 && arguments.word_count == 1) {
         return command_run(&arguments);

@@ -64,8 +64,8 @@ void car_demand(struct car *car, int64_t t_ns, double percent);
 void car_cut(struct car *car, int64_t t_ns, bool cut);
 
 /* From now on the target of that INDEX gains ACCEL_MPS2 until it stands or drives at TOP_MPS; 0: it
- * keeps its speed. Only for a target whose scenario plans no change of its speed. False, and nothing
- * changes, after too many commands: each takes one of its profile's points for good. */
+ * keeps its speed. Only for a target whose scenario plans no change of its speed. Returns false,
+ * and changes nothing, after too many commands: each takes one of its profile's points for good. */
 bool car_command_lead(struct car *car, int index, double accel_mps2, double top_mps);
 
 /* Index of the nearest target that is there, those in the own way first; -1: none is there. */

@@ -59,24 +59,6 @@ struct s51 {
     int64_t listen_until_ns;
 };
 
-static volatile sig_atomic_t interrupted;
-
-static void note_signal(int number)
-{
-    interrupted = number;
-}
-
-void s51_catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = note_signal};
-
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-    signal(SIGPIPE, SIG_IGN);
-}
-
 /* --- a child process ---------------------------------------------------------------------- */
 
 /* Becomes s51: its own process group, and an end together with this process, however that ends. */
@@ -153,8 +135,8 @@ static enum wait_result wait_for_bytes(int fd, int ended_fd)
     int ready;
 
     do {
-        ready = interrupted ? -1 : poll(requests, 2, SILENCE_MS);
-    } while (ready < 0 && errno == EINTR && !interrupted);
+        ready = sim_is_interrupted ? -1 : poll(requests, 2, SILENCE_MS);
+    } while (ready < 0 && errno == EINTR && !sim_is_interrupted);
     if (ready < 0) {
         return WAIT_INTERRUPTED;
     }
@@ -550,8 +532,7 @@ static enum sim_status read_changes(struct s51 *sim)
 
     switch (wait_for_bytes(sim->out_fd, sim->pid_fd)) {
     case WAIT_INTERRUPTED:
-        diag_error("s51", 0, "interrupted at %.6f s", (double)sim->base.now_ns * 1e-9);
-        return SIM_FAILED;
+        return sim_interrupted(&sim->base);
     case WAIT_SILENCE:
         return judge_silence(sim);
     case WAIT_ENDED:

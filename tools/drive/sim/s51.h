@@ -15,10 +15,6 @@
 /* Versions that are known to keep time, as messages name them. */
 #define S51_VERSIONS "0.6.4 (Debian 12) or 0.8.15 (Debian 13)"
 
-/* Catches SIGINT, SIGTERM and SIGHUP, so that an interrupted run ends in S51_FAILED and cleans up.
- */
-void s51_catch_signals(void);
-
 /* Whether this version is known to keep time. */
 bool s51_is_known(const char *version);
 

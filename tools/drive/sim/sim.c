@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "sim.h"
 
+#include "diag.h"
 #include "fast.h"
 #include "s51.h"
 
@@ -9,6 +10,8 @@
 #include <string.h>
 
 enum { CLOCKS_PER_CYCLE = 12 };
+
+volatile bool sim_is_interrupted;
 
 static const struct sim_engine *const engines[] = {&s51_engine, &fast_engine};
 
@@ -91,9 +94,18 @@ void sim_set_pin(struct sim *sim, int64_t time_ns, int drive, bool level)
     sim->engine->set_pin(sim, time_ns, drive, level);
 }
 
+enum sim_status sim_interrupted(const struct sim *sim)
+{
+    diag_error(sim->engine->name, 0, "interrupted at %.6f s", (double)sim->now_ns * 1e-9);
+    return SIM_FAILED;
+}
+
 enum sim_status sim_run_to(struct sim *sim, int64_t time_ns)
 {
     sim->edge_count = 0;
+    if (sim_is_interrupted) {
+        return sim_interrupted(sim);
+    }
     return sim->engine->run_to(sim, time_ns);
 }
 

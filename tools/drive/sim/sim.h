@@ -95,6 +95,9 @@ int sim_start(const struct sim_engine *engine, struct sim **sim, const struct si
  * move an event across one. */
 int64_t sim_grid_ns(const struct sim *sim, int64_t time_ns);
 
+/* A signal handler may set it: the run then ends with SIM_FAILED and a message. */
+extern volatile bool sim_is_interrupted;
+
 /* Sets pin DRIVE (index into setup.drive) at TIME_NS, rounded to the grid. Calls come in order of
  * time. */
 void sim_set_pin(struct sim *sim, int64_t time_ns, int drive, bool level);
@@ -118,5 +121,8 @@ void sim_stop(struct sim *sim);
 
 /* For engines: notes an edge. */
 void sim_add_edge(struct sim *sim, const struct sim_edge *edge);
+
+/* For engines that wait: prints that the run was interrupted, and returns SIM_FAILED. */
+enum sim_status sim_interrupted(const struct sim *sim);
 
 #endif
