@@ -18,7 +18,7 @@ flip() { # REGISTER CYCLE: what is wrong, a line for each bit
     for bit in 0 1 2 3 4 5 6 7; do
         name=$out/$1_$2_$bit
         build/drive run --engine=fast --board "$board" --scenario tests/loop/standing_car_5mps.scn \
-            --set=flip.place=sfr --set=flip.address="$1" --set=flip.bit=$bit --set=flip.at_cycle="$2" --brief \
+            --set=flip.place=sfr --set=flip.address="$1" --set=flip.bit="$bit" --set=flip.at_cycle="$2" --brief \
             >"$name" 2>&1 || echo "bit $bit at cycle $2: $(grep -v PASS "$name" | head -n 1)"
     done
 }

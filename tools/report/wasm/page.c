@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The chip in the page: drive's loop with the fast engine and the plant, compiled to WebAssembly, so
- * that the report's page drives the real image itself. The page writes texts to the memory that
+/* The chip in the page: drive's loop, the fast engine and the plant, compiled to WebAssembly. So
+ * the report's page drives the real image itself. The page writes texts to the memory that
  * page_text returns, and reads texts where page_row and the like say. All texts end with a 0. */
 #include "base.h"
 #include "car.h"
@@ -29,7 +29,7 @@ static struct {
     struct loop *loop;
 } page;
 
-/* --- what this machine has, and a page does not ------------------------------------------------ */
+/* --- what this machine has, and a page does not ----------------------------------------------- */
 
 int diag_error(const char *file, int line, const char *format, ...)
 {
@@ -150,7 +150,7 @@ FOR_THE_PAGE(page_lead) int page_lead(double accel_mps2, double top_mps)
            car_command_lead(&rig->car, 0, accel_mps2, top_mps);
 }
 
-/* --- texts, as JSON ---------------------------------------------------------------------------- */
+/* --- texts, as JSON --------------------------------------------------------------------------- */
 
 static void add(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
