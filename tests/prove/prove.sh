@@ -21,9 +21,9 @@ why3 config list-provers 2>/dev/null | grep -q Z3 || why3 config detect >"$out/w
 run() { # UNIT OPTION...
     local unit=$1 folder table
     shift
-    folder=$(sed -n 's/.*controller: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
+    folder=$(sed -n 's/^[/ ]\*\{1,2\} controller: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
     folder=${folder:-${unit#*_}}
-    table=$(sed -n 's/.*table: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
+    table=$(sed -n 's/^[/ ]\*\{1,2\} table: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
     # A function without contract and without code would be taken for one that does nothing.
     frama-c -machdep x86_16 -kernel-warn-key annot:missing-spec=abort -cpp-extra-args="-Itests/prove -I$out/${table:-$folder} -Ifirmware -Ifirmware/lib \
         -Ifirmware/frames -Ifirmware/mcu -Ifirmware/$folder -DFAULT_PCT=60 -DCLK_HZ=12000000UL -I$(frama-c -print-share-path)/libc" \
@@ -38,7 +38,7 @@ open_goals() { # LOG
 by_wp() { # UNIT
     local unit=$1 label words goals proved functions status=0
     # A unit that says "functions: NAMES" is proved for these functions only.
-    functions=${FUNCTIONS:-$(sed -n 's/.*functions: \([a-z0-9_,]*\).*/\1/p' "tests/prove/$unit.c")}
+    functions=${FUNCTIONS:-$(sed -n 's/^[/ ]\*\{1,2\} functions: \([a-z0-9_,]*\).*/\1/p' "tests/prove/$unit.c")}
     if ! run "$unit" -wp ${functions:+"-wp-fct=$functions"} -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-60}" -wp-par 1; then
         echo "$unit: frama-c failed; see $out/$unit.log"
         return 2
