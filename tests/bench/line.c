@@ -23,7 +23,8 @@ int main(int count, char *words[])
     for (long i = 0; i < frames; i++) {
         bench_payload((uint16_t)(i * bench_steps / frames));
         fwrite(line, 1,
-               head_encode(atoi(words[1]), (int)(i % 16), frame_body, atoi(words[2]), line),
+               head_encode(atoi(words[1]), (int)(i % 16), frame_body, atoi(words[2]),
+                           (int)(i % 256), line),
                stdout);
     }
     return 0;
