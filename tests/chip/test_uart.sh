@@ -8,7 +8,7 @@ board=stc89c516rd
 make -s "BOARD=$board" "build/$board/brake.ihx" || exit 2
 
 S51_TYPES=1 s51_start "$board" "build/$board/brake.ihx"
-s51_until 640000
+s51_until 800000
 first=$(s51_first_trigger)
 k=1
 for keys in '?' 'v' 's' 'x' 't' 'h' $'t\r\n' 'vs'; do
