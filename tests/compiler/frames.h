@@ -47,42 +47,21 @@ static bool take_frame(bool (*read)(void))
 }
 
 #ifndef __SDCC_mcs51
-#include "crc16.h"
+#include "head.h"
 
 /* Draws a frame with this payload; now and then late, with a bit that turned over, cut short, or
  * with the count of the one before, unasked, or with a number that does not follow. */
-static void draw_frame(uint8_t kind, const uint8_t *payload, unsigned bytes)
+static void draw_frame(uint8_t kind, const uint8_t *payload, int bytes)
 {
     static uint16_t now_ms;
     static uint8_t count, number;
-    uint8_t body[FRAME_BODY_MAX_BYTES] = {0}, line[32];
-    uint8_t high = CRC16_START >> 8, low = (uint8_t)CRC16_START;
-    unsigned used = 1;
+    uint8_t line[HEAD_LINE_MAX];
+    uint32_t used;
 
     now_ms = (uint16_t)(now_ms + (chance(100) == 0 ? chance(800) : 20 + chance(90)));
     count = (uint8_t)((count + (chance(100) != 0)) & 15);
     number = (uint8_t)(number + (chance(50) == 0 ? chance(256) : 1));
-    line[0] = (uint8_t)(0x80 | kind << 4 | count);
-    CRC16_ADD(high, low, line[0]);
-    for (unsigned at = 0; at < bytes; at++) {
-        body[at] = payload[at];
-        CRC16_ADD(high, low, body[at]);
-    }
-    body[bytes] = number;
-    CRC16_ADD(high, low, number);
-    bytes++;
-    body[bytes] = high;
-    body[bytes + 1] = low;
-    for (unsigned at = 0; at < bytes + 2; at++) {
-        if (at % 7 == 0) {
-            line[used] = 0;
-            for (unsigned bit = 0; bit < 7 && at + bit < bytes + 2; bit++) {
-                line[used] |= (uint8_t)(body[at + bit] >> 7 << bit);
-            }
-            used++;
-        }
-        line[used++] = body[at] & 0x7F;
-    }
+    used = (uint32_t)head_encode(kind, count, payload, bytes, number, line);
     if (chance(60) == 0) {
         line[chance(used)] ^= (uint8_t)(1u << chance(8));
     }
@@ -92,7 +71,7 @@ static void draw_frame(uint8_t kind, const uint8_t *payload, unsigned bytes)
     give_u16(now_ms);
     give((uint8_t)used);
     give(chance(30) != 0);
-    for (unsigned at = 0; at < used; at++) {
+    for (uint32_t at = 0; at < used; at++) {
         give(line[at]);
     }
 }

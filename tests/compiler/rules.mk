@@ -11,7 +11,8 @@ STEPS_IMAGES := $(foreach image,$(ALL_IMAGES),$(if $(filter $(call controller_of
 
 ifneq ($(BOARD),)
 STEPS_OUT := build/compiler/$(BOARD)
-STEPS_SIM := $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) $(COMMON_SRC))
+# The simulator, and what encodes frames.
+STEPS_SIM := $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) tools/drive/plant/head.c tools/drive/plant/random.c $(COMMON_SRC))
 
 compiler-images: $(STEPS_IMAGES:%=$(STEPS_OUT)/%/steps.ihx) $(STEPS_IMAGES:%=$(STEPS_OUT)/%/steps)
 define steps_rules
@@ -26,7 +27,7 @@ $(STEPS_OUT)/$(1)/steps.ihx: $(patsubst %,$(STEPS_OUT)/$(1)/%.rel,chip words lib
 	$$(Q)$(SDCC) $$^ -o $$@
 $(STEPS_OUT)/$(1)/%.o: %.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(CC) -O2 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) -Itools/drive/sim -I$(OUT)/$(1) -c $$< -o $$@
+	$$(Q)$(CC) -O2 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) $(DRIVE_ROOMS) -Ibuild -I$(OUT)/$(1) -c $$< -o $$@
 $(STEPS_OUT)/$(1)/steps: $(patsubst %,$(STEPS_OUT)/$(1)/tests/compiler/%.o,host words lib $(controller_of)) \
         $(patsubst %,$(STEPS_OUT)/$(1)/firmware/%.o,$(steps_modules)) $(STEPS_SIM)
 	$$(Q)$(CC) $$^ -lm -o $$@

@@ -10,7 +10,8 @@
 #include <string.h>
 #include <unity.h>
 
-/* Special function registers, and what instructions are made of. */
+/* Special function registers, and what instructions are made of. They come from the manual, not
+ * from the library, so that a wrong address in the library is found. */
 enum {
     P0 = 0x80,
     SP = 0x81,
