@@ -83,6 +83,8 @@ void pwm_init(void)
 
 void hal_brake_set(uint8_t brake_pct)
 {
+    uint8_t high;
+
     new_is_set = 0;
     new_first_level = 1;
     new_second_level = 0;
@@ -98,9 +100,13 @@ void hal_brake_set(uint8_t brake_pct)
         }
     }
     new_is_set = 1;
-    /* If the next edge is at least 256 cycles away there is time for what follows, even with other
-     * interrupts in between. A high byte below 128 means that the timer has already overflowed. */
-    if ((uint8_t)(TH1 - 128U) < 127U && !is_second) {
+    /* If the next edge is at least 128 cycles away there is time for what follows: 40 cycles, and
+     * 75 of other interrupts in between. So the high byte is rounded up. Below 128 the timer has
+     * overflowed, or is about to. The low byte is read first: a carry after it makes the time seem
+     * shorter, never longer. */
+    high = TL1 >> 7;
+    high += TH1;
+    if (high >= 128U && !is_second) {
         take_new();
         prepare_first();
     }

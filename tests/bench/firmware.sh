@@ -218,7 +218,7 @@ for board; do
         row 'no path of the step takes more, mc' "$(bounded "$board" $app control_step)" 1500 mc
         # Without the loop's part, from the poll on, tests/bench/brake.c holds it to 300.
         row 'echo end to STOP pin, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
-        # The step, 0.3 ms of notice for the PWM, and a period of it.
+        # A period of the PWM, 0.14 ms of notice for it, and the time until the duty is set.
         row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" 11300 us
         if [ -n "$table" ]; then
             read -r _ _ _ _ _ most _ < <(tests/lut/run.sh "build/lut/$table")
