@@ -224,6 +224,24 @@ static void test_that_dcen_counts_in_reload_mode_only(void)
     TEST_ASSERT_TRUE((sfr(TH2) << 8 | sfr(TL2)) > 0x1010);
 }
 
+/* Intel: the LCALL clears TF0. Timer 0 overflows in the cycles 17, 33, 49, 65; those that found TF0
+ * set are no further requests. */
+static void test_that_overflows_do_not_add_up(void)
+{
+    load_routines();
+    set(TMOD, 0x02);
+    set(TH0, 0xF0);
+    set(TL0, 0xF0);
+    set(TCON, 0x10);
+    mcs52_run(chip, 54);
+    set(IE, 0x82);
+    TEST_ASSERT_EQUAL_UINT64(57, begins(1, 60)); /* one instruction after the write to IE */
+    mcs52_run(chip, 64);
+    TEST_ASSERT_EQUAL_HEX8(0, sfr(TCON) & TF0);
+    TEST_ASSERT_EQUAL_UINT64(69, begins(1, 80));
+    TEST_ASSERT_EQUAL(2, counts()[1]);
+}
+
 /* Where a run ends does not show: the LCALL of two cycles waits for the next run when it does not
  * fit. */
 static void test_that_an_interrupt_waits_at_the_end_of_a_run(void)
@@ -249,6 +267,7 @@ int main(void)
     RUN_TEST(test_that_a_request_must_last_until_it_is_polled);
     RUN_TEST(test_that_exf2_is_a_request_but_with_dcen);
     RUN_TEST(test_that_dcen_counts_in_reload_mode_only);
+    RUN_TEST(test_that_overflows_do_not_add_up);
     RUN_TEST(test_that_an_interrupt_waits_at_the_end_of_a_run);
     return UNITY_END();
 }

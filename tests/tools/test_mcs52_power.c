@@ -386,9 +386,12 @@ static void test_that_a_listener_stops_a_run(void)
     own = mcs52_create(MCS52_INTEL, &outside);
     mcs52_load(own, 0, (const uint8_t[]){NOP, CPL, 0x90, NOP}, 4);
     mcs52_watch(own, 1, 0);
+    mcs52_watch(own, 1, 1);
     TEST_ASSERT_EQUAL_UINT64(2, mcs52_run(own, 1000));
     TEST_ASSERT_EQUAL_UINT64(2, mcs52_instructions(own));
     TEST_ASSERT_EQUAL_HEX16(3, mcs52_pc(own));
+    mcs52_set_pin(own, 50, 1, 1, false); /* between two NOPs */
+    TEST_ASSERT_EQUAL_UINT64(50, mcs52_run(own, 1000));
     TEST_ASSERT_EQUAL_UINT64(1000, mcs52_run(own, 1000));
     mcs52_destroy(own);
 }
@@ -404,6 +407,8 @@ static void test_that_registers_can_be_set(void)
     TEST_ASSERT_EQUAL_HEX8(0xFF, sfr(PSW)); /* three ones in A */
     set(0xF0, 0x77);
     TEST_ASSERT_EQUAL_HEX8(0x77, sfr(0xF0));
+    set(TCON, 0x08);
+    TEST_ASSERT_EQUAL_HEX8(0, sfr(TCON)); /* by level, IE1 is the pin, which is high */
     mcs52_jump(chip, 0x1235);
     mcs52_cover(chip, map);
     mcs52_run(chip, 2);

@@ -366,13 +366,13 @@ static void test_that_modes_2_and_3_receive_nine_bits(void)
     }
 }
 
-/* A program that writes another register in each cycle: SETB IP.0. */
+/* A program that changes another register in each cycle: CPL EXF2, in T2CON. */
 static void load_writes(void)
 {
-    static const uint8_t setb_ip[] = {SETB, 0xB8};
+    static const uint8_t cpl_exf2[] = {CPL, 0xCE};
 
     for (unsigned at = 0; at < 0x2000; at += 2) {
-        mcs52_load(chip, (uint16_t)at, setb_ip, sizeof setb_ip);
+        mcs52_load(chip, (uint16_t)at, cpl_exf2, sizeof cpl_exf2);
     }
 }
 

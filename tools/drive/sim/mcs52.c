@@ -5,14 +5,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { R = READ_SPECIAL, W = WRITE_SPECIAL, PORT = READ_SPECIAL | WRITE_SPECIAL | IS_PORT };
+enum {
+    OWN = READ_SPECIAL | WRITE_SPECIAL, /* the processor has it */
+    PORT = READ_SPECIAL | WRITE_SPECIAL | IS_PORT,
+    COUNT = READ_SPECIAL | WRITE_SPECIAL | IS_COUNT,
+    SETTING = WRITE_SPECIAL | IS_SETTING,
+    ACTION = WRITE_SPECIAL
+};
 
 const uint8_t mcs52_special[256] = {
-    [P0] = PORT,   [P1] = PORT,   [P2] = PORT,   [P3] = PORT,   [PCON] = W,
-    [TCON] = W,    [TMOD] = W,    [TL0] = R | W, [TL1] = R | W, [TH0] = R | W,
-    [TH1] = R | W, [SCON] = W,    [SBUF] = W,    [WDTRST] = W,  [IE] = W,
-    [IP] = W,      [T2CON] = W,   [T2MOD] = W,   [RCAP2L] = W,  [RCAP2H] = W,
-    [TL2] = R | W, [TH2] = R | W, [PSW] = R | W, [ACC] = R | W, [WDT_CONTR] = W};
+    [P0] = PORT,         [P1] = PORT,       [P2] = PORT,        [P3] = PORT,
+    [PCON] = ACTION,     [TCON] = SETTING,  [TMOD] = SETTING,   [TL0] = COUNT,
+    [TL1] = COUNT,       [TH0] = COUNT,     [TH1] = COUNT,      [SCON] = SETTING,
+    [SBUF] = ACTION,     [WDTRST] = ACTION, [IE] = SETTING,     [IP] = SETTING,
+    [T2CON] = SETTING,   [T2MOD] = SETTING, [RCAP2L] = SETTING, [RCAP2H] = SETTING,
+    [TL2] = COUNT,       [TH2] = COUNT,     [PSW] = OWN,        [ACC] = OWN,
+    [WDT_CONTR] = ACTION};
 
 /* --- special function registers ----------------------------------------------------------- */
 
@@ -22,7 +30,9 @@ uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t cycle)
         return chip->pins[(address - P0) / 16];
     }
     mcs52_catch_up(chip, cycle);
-    mcs52_timers_sync(chip, cycle);
+    if (mcs52_special[address] & IS_COUNT) {
+        mcs52_timers_sync(chip, cycle);
+    }
     return chip->sfr[address];
 }
 
@@ -55,7 +65,7 @@ static void settle_power(struct mcs52 *chip, uint64_t end)
 }
 
 /* A register on which timers, the serial port or interrupts depend becomes VALUE at END. */
-void mcs52_settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end)
+static void settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end)
 {
     uint8_t old = chip->sfr[address];
 
@@ -78,10 +88,6 @@ void mcs52_settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t e
     case PCON:
         settle_power(chip, end);
         break;
-    case IE:
-    case IP:
-        mcs52_hold(chip, end);
-        break;
     default:
         break;
     }
@@ -101,8 +107,14 @@ void mcs52_write(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t en
         mcs52_uart_send(chip, value, end);
     } else if (address == WDTRST || address == WDT_CONTR) {
         mcs52_watchdog_write(chip, address, value, end);
-    } else {
-        mcs52_settle(chip, address, value, end);
+    } else if (address == IE || address == IP) {
+        chip->held = end;
+        if (value != chip->sfr[address]) {
+            chip->sfr[address] = value;
+            mcs52_poll(chip);
+        }
+    } else if (!(mcs52_special[address] & IS_SETTING) || value != chip->sfr[address]) {
+        settle(chip, address, value, end);
     }
 }
 
@@ -136,8 +148,9 @@ void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value)
     default:
         if (mcs52_special[address] != 0) {
             mcs52_write(chip, address, value, chip->now);
+        } else {
+            chip->sfr[address] = value;
         }
-        chip->sfr[address] = value;
         break;
     }
 }

@@ -200,9 +200,9 @@ struct mcs52 {
     uint8_t code[MCS52_CODE_BYTES + 2]; /* the first two bytes again, for operands at the end */
 };
 
-/* What is special about a register: for an instruction's own copy of it, for reading, for writing.
- */
-enum { READ_SPECIAL = 1, WRITE_SPECIAL = 2, IS_PORT = 4 };
+/* What is special about a register. Reading or writing it is more than an access to chip->sfr. A
+ * timer counts in it. A write of the value that it has leaves the peripherals as they are. */
+enum { READ_SPECIAL = 1, WRITE_SPECIAL = 2, IS_PORT = 4, IS_COUNT = 8, IS_SETTING = 16 };
 extern const uint8_t mcs52_special[256];
 
 /* mcs52.c: reset; a special register read in cycle CYCLE; written by an instruction that ends at
@@ -211,7 +211,6 @@ extern const uint8_t mcs52_special[256];
 uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t cycle);
 void mcs52_write(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end);
 void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause);
-void mcs52_settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end);
 
 /* mcs52_run.c */
 void mcs52_schedule(struct mcs52 *chip, enum event event, uint64_t cycle);
@@ -233,7 +232,7 @@ void mcs52_requests_of(struct mcs52 *chip, uint8_t address, uint64_t cycle);
 int mcs52_interrupt(struct mcs52 *chip);
 void mcs52_vector(struct mcs52 *chip, int source);
 void mcs52_return(struct mcs52 *chip, uint64_t end);
-void mcs52_hold(struct mcs52 *chip, uint64_t end);
+void mcs52_poll(struct mcs52 *chip);
 
 /* mcs52_timers.c: brings timer N to the end of cycle THROUGH; plans its next overflow. */
 void mcs52_timer_sync(struct mcs52 *chip, int n, uint64_t through);

@@ -12,6 +12,13 @@ static bool is_requested(const struct mcs52 *chip, int source)
     return chip->on[source] != NEVER && chip->off[source] == NEVER;
 }
 
+/* A request may be waiting: look at the next instruction. */
+void mcs52_poll(struct mcs52 *chip)
+{
+    chip->poll = true;
+    mcs52_attend(chip);
+}
+
 /* The flag of SOURCE is set or cleared so that the sample of CYCLE is the first one to see it. */
 void mcs52_request(struct mcs52 *chip, enum source source, bool on, uint64_t cycle)
 {
@@ -21,8 +28,7 @@ void mcs52_request(struct mcs52 *chip, enum source source, bool on, uint64_t cyc
     if (on) {
         chip->on[source] = cycle;
         chip->off[source] = NEVER;
-        chip->poll = true;
-        mcs52_attend(chip);
+        mcs52_poll(chip);
     } else {
         chip->off[source] = cycle;
     }
@@ -90,6 +96,7 @@ void mcs52_vector(struct mcs52 *chip, int source)
         (flag == TCON_IE1 && !(chip->sfr[TCON] & TCON_IT1))) {
         flag = 0; /* by level: the pin decides */
     }
+    mcs52_timers_sync(chip, chip->now - 1); /* overflows while the flag was set are over */
     chip->sfr[TCON] &= (uint8_t)~flag;
     mcs52_requests_of(chip, TCON, chip->now);
     mcs52_timers_plan(chip);
@@ -110,12 +117,6 @@ void mcs52_vector(struct mcs52 *chip, int source)
 void mcs52_return(struct mcs52 *chip, uint64_t end)
 {
     chip->in_service &= chip->in_service & 2 ? 1 : 0;
-    mcs52_hold(chip, end);
-}
-
-void mcs52_hold(struct mcs52 *chip, uint64_t end)
-{
     chip->held = end;
-    chip->poll = true;
-    mcs52_attend(chip);
+    mcs52_poll(chip);
 }

@@ -72,7 +72,7 @@ static void happen(struct mcs52 *chip, int event, uint64_t cycle)
 
 void mcs52_catch_up(struct mcs52 *chip, uint64_t through)
 {
-    for (;;) {
+    while (chip->next <= through) {
         int event = first_due(chip);
 
         if (chip->due[event] == NEVER || chip->due[event] > through) {
@@ -139,7 +139,7 @@ bool mcs52_boundary(struct mcs52 *chip)
             sleep_on(chip);
             continue;
         }
-        if (chip->now + mcs52_op_cycles[chip->code[chip->pc]] > chip->until) {
+        if (chip->stop || chip->now + mcs52_op_cycles[chip->code[chip->pc]] > chip->until) {
             break;
         }
         chip->next = chip->poll ? 0 : next_look(chip);

@@ -35,8 +35,7 @@ static void normalize(struct mcs52 *chip)
         chip->held = NEVER;
     }
     chip->t1_overflows &= 1;
-    chip->poll = true;
-    mcs52_attend(chip);
+    mcs52_poll(chip);
 }
 
 /* All that a chip's way on depends on, but for the changes of pins that wait. */
