@@ -39,6 +39,7 @@ identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(co
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 # All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
 SDCC_VERSION := $(shell sdcc --version 2>/dev/null | head -n 1 | tr -cd '[:alnum:]. ')
+export SDCC_VERSION
 settings_of  = $(subst ',,$(SDCC_VERSION) $(SDCC) $(SDCC_FLAGS) $(SDCC_LINK) $($(1)_FLAGS) $($(1)_TABLE) $($(1)_FISTAB) $($(1)_MODULES) \
     $($(1)_CYCLES) $(identity_of) $(IDENTITY_AT))
 
@@ -47,10 +48,8 @@ firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
 # Compiles any C file of the tree with the settings of one image. Whatever makes a part of an image
 # removes the image first: a build that fails leaves none behind.
 define compile_rules
-$(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp tools/no_atomics.sh
-	@mkdir -p $$(@D)$(if $(2),; rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex)
-	$$(Q)$(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1) -MMD -c $$< -o $$@
-	$$(Q)tools/no_atomics.sh $$@
+$(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp tools/compile.sh tools/no_atomics.sh
+	$$(Q)$(if $(2),rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; )tools/compile.sh $$< $$@ $(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1)
 endef
 # The stamp changes when a setting does, so that objects of other settings are never linked.
 define image_rules
