@@ -7,7 +7,7 @@ UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)
 include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/rules.mk))
 
 # Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip; the
-# drives of each board, law and controller, and ten minutes at the STOP pin. s51 drives the brake on the
+# drives of each board, law and controller, and those that last for minutes. s51 drives the brake on the
 # default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(LOOP_FOLDERS))
@@ -24,15 +24,16 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(LAW_BOARD) tests/loop/$(law)') \
     $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES) $(COVERAGE_SUITE)
 
-# Slow tests: in s51 what the fast engine runs in `test`, but the ten minutes, drives with their outcomes
-# compared; every drive of the brake with the other estimator; the long run of chip against host.
+# Slow tests: in s51 what the fast engine runs in `test`, drives with their outcomes compared, those of minutes
+# on one board; every drive of the brake with the other estimator; the long run of chip against host.
 ENGINE_TESTS := $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
 LONG_SUITES  := $(LONG_TESTS) 'MCS52_STATES=10000 build/tests/tools/test_mcs52_s51' \
     $(ENGINE_TESTS:%='ENGINE=s51 %') $(CHIP_TESTS:%='ENGINE=s51 tests/run_chip.sh %') \
     $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
-    $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%')) \
+    $(if $(ON_DEFAULT),$(patsubst %,'tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%',$(OTHER_LOOPS) long)) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/compare_engines.sh $(LAW_BOARD) tests/loop/$(law)') \
-    'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)' $(STEPS_LONG_SUITES)
+    'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)' \
+    'ENGINE=fast IMAGE=build/smooth/brake.ihx tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/long' $(STEPS_LONG_SUITES)
 
 # `make unit TEST=NAME` runs one file, tests/unit/test_NAME.c or tests/tools/test_NAME.c; without TEST
 # those of tests/unit.
