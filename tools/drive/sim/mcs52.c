@@ -29,7 +29,9 @@ uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t cycle)
     if (mcs52_special[address] & IS_PORT) {
         return chip->pins[(address - P0) / 16];
     }
-    mcs52_catch_up(chip, cycle);
+    if (chip->next <= cycle) {
+        mcs52_catch_up(chip, cycle);
+    }
     if (mcs52_special[address] & IS_COUNT) {
         mcs52_timers_sync(chip, cycle);
     }
@@ -97,7 +99,7 @@ static void settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t 
 
 void mcs52_write(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t end)
 {
-    if (end > 0) {
+    if (chip->next < end) {
         mcs52_catch_up(chip, end - 1);
     }
     if (mcs52_special[address] & IS_PORT) {

@@ -145,7 +145,7 @@ struct baud {
 struct mcs52 {
     /* the processor */
     uint64_t now;  /* the next instruction begins in this cycle */
-    uint64_t next; /* the first cycle at which there is more to do than an instruction */
+    uint64_t next; /* before this cycle there is nothing to do but instructions */
     uint64_t instructions;
     uint16_t pc;
     uint8_t a, psw; /* PSW without P */

@@ -17,22 +17,17 @@ void mcs52_schedule(struct mcs52 *chip, enum event event, uint64_t cycle)
     }
 }
 
-/* In power-down the oscillator stands: only the outside goes on. */
-static bool can_happen(const struct mcs52 *chip, int event)
-{
-    return !chip->power_down || event == EVENT_PIN;
-}
-
-/* The first thing that is due, of those that do not wait for the end of an instruction. */
+/* The first thing that is due, of those that do not wait for the end of an instruction. In
+ * power-down the oscillator stands: only the outside goes on. */
 static int first_due(const struct mcs52 *chip)
 {
-    int first = EVENT_PIN;
+    int first = 0;
 
-    for (int event = 0; event < EVENT_FAULT; event++) {
-        bool is_earlier = chip->due[event] < chip->due[first];
-        bool is_equal = chip->due[event] == chip->due[first];
-
-        if (can_happen(chip, event) && (is_earlier || (is_equal && event < first))) {
+    if (chip->power_down) {
+        return EVENT_PIN;
+    }
+    for (int event = 1; event < EVENT_FAULT; event++) {
+        if (chip->due[event] < chip->due[first]) {
             first = event;
         }
     }
@@ -72,7 +67,7 @@ static void happen(struct mcs52 *chip, int event, uint64_t cycle)
 
 void mcs52_catch_up(struct mcs52 *chip, uint64_t through)
 {
-    while (chip->next <= through) {
+    for (;;) {
         int event = first_due(chip);
 
         if (chip->due[event] == NEVER || chip->due[event] > through) {
@@ -84,14 +79,9 @@ void mcs52_catch_up(struct mcs52 *chip, uint64_t through)
 
 static uint64_t next_due(const struct mcs52 *chip)
 {
-    uint64_t next = chip->due[EVENT_FAULT];
+    uint64_t first = chip->due[first_due(chip)], fault = chip->due[EVENT_FAULT];
 
-    for (int event = 0; event < EVENT_FAULT; event++) {
-        if (can_happen(chip, event) && chip->due[event] < next) {
-            next = chip->due[event];
-        }
-    }
-    return next;
+    return first < fault ? first : fault;
 }
 
 /* Near UNTIL, each instruction may be the last one. */
