@@ -60,7 +60,7 @@ void app_apply(void);
 #define FRAMES_VALUES_FROM 3
 uint8_t app_report(void);
 
-/* Returns the lamp's pattern while there is no fault: LAMP_OFF or LAMP_FLICKER. */
+/* Returns the lamp's pattern while there is no fault (lamp.h). */
 uint8_t app_lamp(void);
 
 #endif

@@ -7,7 +7,14 @@
 static const char __code HEADER[] =
     "seq,ms,x_512,y_512,heading,dist_mm,weight,servo_us,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%s%u,%u,%u,%u,%u,%u,%s,%u\r\n";
-static const char __code *const __code STATES[] = {"WAITING", "DRIVING", "ARRIVED", "FAULT"};
+static const char __code *const
+    __code STATES[] = {"WAITING", "CHECKING", "DRIVING", "ARRIVED", "DEAD_ZONE", "FAULT"};
+
+/* Said once, in the place of a line of telemetry. */
+static const char __code WAY_OUT[] = "# dead zone: drive forward, then start again\r\n";
+static bool is_way_out_said;
+
+#define LAMP_DEAD_ZONE 5U /* blinks; 2 to 4 are the self-test's */
 
 /* 20 ms, as the servo. */
 const struct frames_app __code app = {FRAME_PARK, PARK_PAYLOAD_BYTES, 2, HEADER, LINE};
@@ -37,6 +44,10 @@ void app_apply(void)
     hal_stop_set(park_must_stand());
     hal_brake_set(park_must_stand() ? 100 : 0);
     hal_servo_set(park.servo_us);
+    if (park.state == PARK_DEAD_ZONE && !is_way_out_said && !telemetry_is_busy()) {
+        telemetry_say(WAY_OUT);
+        is_way_out_said = true;
+    }
 }
 
 uint8_t app_report(void)
@@ -56,7 +67,15 @@ uint8_t app_report(void)
 
 uint8_t app_lamp(void)
 {
-    return park.state == PARK_WAITING ? LAMP_FLICKER : LAMP_OFF;
+    switch (park.state) {
+    case PARK_WAITING:
+    case PARK_CHECKING:
+        return LAMP_FLICKER;
+    case PARK_DEAD_ZONE:
+        return LAMP_DEAD_ZONE;
+    default:
+        return LAMP_OFF;
+    }
 }
 
 void main(void)

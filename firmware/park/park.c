@@ -5,6 +5,7 @@
 #include "fixed.h"
 #include "frame.h"
 #include "lut.h"
+#include "plan.h"
 
 #if LUT_INPUTS != 1 || LUT_LEVELS != 255
 #error "park needs w(D) as a table of one input in 255 levels: fistab table --grid=256 --levels=255"
@@ -21,8 +22,16 @@
 
 __idata struct park park;
 
+/* The check of the start has ended well. As published there is none. */
+static bool is_checked;
+
 void park_init(void)
 {
+#ifdef PARK_AS_PUBLISHED
+    is_checked = true;
+#else
+    is_checked = false;
+#endif
     park.theta = 0;
     park.servo_us = PARK_SERVO_MID_US;
     park.state = PARK_WAITING;
@@ -111,17 +120,41 @@ bool park_read(void)
     return true;
 }
 
-/*@ assigns park.state, park.dist_mm, park.weight, park.theta_far, park.theta_near, park.theta,
-            park.servo_us, cordic_polar; */
+/* The next step of the check. */
+/*@ requires park_is_valid;
+    ensures park_is_valid;
+    ensures park.y == \old(park.y);
+    ensures park.state == PARK_CHECKING || park.state == PARK_DEAD_ZONE; */
+static void check(void)
+{
+    if (park.state != PARK_CHECKING) {
+        park.state = PARK_CHECKING;
+        plan_begin();
+    }
+    switch (plan_step()) {
+    case PLAN_GOES_ON:
+        break;
+    case PLAN_PARKS:
+        is_checked = true;
+        break;
+    default:
+        park.state = PARK_DEAD_ZONE;
+    }
+}
+
 void park_decide(void)
 {
     uint16_t off_us;
 
-    if (park.state == PARK_ARRIVED) {
+    if (park.state == PARK_ARRIVED || park.state == PARK_DEAD_ZONE) {
         return;
     }
     if (park.y <= 0) {
         park.state = PARK_ARRIVED;
+        return;
+    }
+    if (!is_checked) {
+        check();
         return;
     }
     park.state = PARK_DRIVING;
@@ -133,7 +166,7 @@ void park_decide(void)
 
 void park_lose(void)
 {
-    if (park.state == PARK_DRIVING) {
+    if (park.state == PARK_DRIVING || park.state == PARK_CHECKING) {
         park.state = PARK_FAULT;
     }
 }

@@ -28,11 +28,23 @@
 #define PARK_SERVO_MID_US  1500U
 #define PARK_SERVO_SPAN_US 500U /* added at PARK_THETA_MAX_TURN16 */
 
+/* A start is checked before the car moves: plan.h drives the way in thought, one step each frame,
+ * up to 6.4 s. park_paper, as published, does not check: it drives from WAITING on, wherever it
+ * ends.
+ *
+ *     WAITING    link up -> CHECKING; link lost: WAITING
+ *     CHECKING   the way ends in the place -> DRIVING, beside it -> DEAD_ZONE; link lost -> FAULT
+ *     DRIVING    Y <= 0 -> ARRIVED; link lost -> FAULT
+ *     FAULT      link up -> DRIVING, or CHECKING from the beginning if that had not ended
+ * In every state but DEAD_ZONE, Y <= 0 -> ARRIVED. ARRIVED and DEAD_ZONE last until the next start.
+ */
 enum park_state {
-    PARK_WAITING, /* the link was never up: the car stands */
+    PARK_WAITING,  /* the link was never up: the car stands */
+    PARK_CHECKING, /* the car stands */
     PARK_DRIVING,
-    PARK_ARRIVED, /* Y <= 0: the car stands until the next start */
-    PARK_FAULT,   /* the link is lost: the car stands until the link is up again */
+    PARK_ARRIVED,   /* Y <= 0: the car stands until the next start */
+    PARK_DEAD_ZONE, /* from here it would not park: the car stands. Drive forward, start again */
+    PARK_FAULT,     /* the link is lost: the car stands until the link is up again */
 };
 
 struct park {
@@ -74,14 +86,15 @@ bool park_read(void);
 /* Makes one control step with what was read. Call it only while the link is up. */
 /*@ requires park_is_valid;
     ensures park_is_valid;
-    ensures park.state == PARK_DRIVING || park.state == PARK_ARRIVED;
-    ensures \old(park.state) == PARK_ARRIVED ==> park.state == PARK_ARRIVED;
-    ensures \old(park.y) <= 0 ==> park.state == PARK_ARRIVED; */
+    ensures park.state != PARK_WAITING && park.state != PARK_FAULT;
+    ensures lasts: \old(park.state) == PARK_ARRIVED || \old(park.state) == PARK_DEAD_ZONE ==>
+                park.state == \old(park.state);
+    ensures ends_at_the_line: park.y <= 0 ==> park.state == PARK_ARRIVED || park.state == PARK_DEAD_ZONE; */
 void park_decide(void);
 
-/* Makes one control step while the link is lost: DRIVING becomes FAULT. */
+/* Makes one control step while the link is lost: CHECKING and DRIVING become FAULT. */
 /*@ assigns park.state;
-    ensures park.state != PARK_DRIVING; */
+    ensures park.state != PARK_DRIVING && park.state != PARK_CHECKING; */
 void park_lose(void);
 
 /* Returns whether the car must stand: in every state but DRIVING. */

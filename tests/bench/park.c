@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Places of -20..20 m and 0.5..30 m, headings all around. */
+/* Places of -20..20 m and 0.5..30 m, headings all around: first steps of
+ * the check, then of a drive. */
 #include "frames.h"
+#include "park.h"
 #include "step.h"
 
 #define XS       15U
@@ -17,6 +19,9 @@ static void put(uint8_t at, uint16_t value)
 
 void bench_payload(uint16_t n)
 {
+    if (park.state == PARK_DEAD_ZONE) {
+        park_init(); /* a start again */
+    }
     put(0, (uint16_t)(n % XS * 1463U - 10240U));
     n /= XS;
     put(2, (uint16_t)(n % YS * 1259U + 256U));

@@ -4,5 +4,6 @@
 #include "eva_frames.h"
 
 #include "cordic.c"
+#include "plan.c"
 #include "park.c"
 #include "park/main.c"

@@ -96,7 +96,7 @@ with_tmp() {
 fails "no temporary folder" 2 "no room for the simulator's files" with_tmp "$work/nowhere" run PLAIN
 
 # --- the controller ---
-fails "no trigger ever" 1 "no trigger pulse within 5 s" run SILENT
+fails "no trigger ever" 1 "no trigger pulse within 10 s" run SILENT
 run HANG >"$work/stdout" 2>"$work/stderr"
 [ $? -eq 1 ] && grep -q "FAILS  resets = 0 .* 1" "$work/stdout"
 say "a watchdog reset fails a run that expects none" $? "$(cat "$work/stdout" "$work/stderr")"

@@ -26,6 +26,23 @@ static void send(int16_t x, int16_t y, uint16_t heading)
     frame_body[5] = (uint8_t)heading;
 }
 
+/* Takes a frame and checks the start from there, to the end. Returns how many steps that took. */
+static uint16_t start_from(int16_t x, int16_t y, uint16_t heading)
+{
+    uint16_t steps = 0;
+
+    send(x, y, heading);
+    TEST_ASSERT_TRUE(park_read());
+    do {
+        park_decide();
+        TEST_ASSERT_EQUAL_INT16(x, park.x);
+        TEST_ASSERT_EQUAL_INT16(y, park.y);
+        TEST_ASSERT_EQUAL_UINT16(heading, park.heading);
+        steps++;
+    } while (park.state == PARK_CHECKING);
+    return steps;
+}
+
 void setUp(void)
 {
     park_init();
@@ -93,17 +110,13 @@ static void test_car_stands_until_it_knows_where_it_is(void)
 {
     TEST_ASSERT_TRUE(park_must_stand());
     TEST_ASSERT_EQUAL_UINT16(PARK_SERVO_MID_US, park.servo_us);
-    send(0, 10000, QUARTER_TURN);
-    TEST_ASSERT_TRUE(park_read());
-    park_decide();
+    start_from(0, 10000, QUARTER_TURN);
     TEST_ASSERT_FALSE(park_must_stand());
 }
 
 static void test_servo_pulse_is_one_to_two_milliseconds(void)
 {
-    send(5120, 12800, QUARTER_TURN);
-    TEST_ASSERT_TRUE(park_read());
-    park_decide();
+    start_from(5120, 12800, QUARTER_TURN);
     TEST_ASSERT_EQUAL_UINT16(2000, park.servo_us);
     send(-5120, 12800, QUARTER_TURN);
     TEST_ASSERT_TRUE(park_read());
@@ -117,9 +130,7 @@ static void test_servo_pulse_is_one_to_two_milliseconds(void)
 
 static void test_at_the_line_it_stands_for_good(void)
 {
-    send(0, 100, QUARTER_TURN);
-    TEST_ASSERT_TRUE(park_read());
-    park_decide();
+    start_from(0, 100, QUARTER_TURN);
     TEST_ASSERT_FALSE(park_must_stand());
     send(0, 0, QUARTER_TURN);
     TEST_ASSERT_TRUE(park_read());
@@ -137,9 +148,7 @@ static void test_lost_link_stops_the_car_and_keeps_the_wheel(void)
 {
     uint16_t servo_us;
 
-    send(5120, 12800, 8192);
-    TEST_ASSERT_TRUE(park_read());
-    park_decide();
+    start_from(5120, 12800, 8192);
     servo_us = park.servo_us;
     park_lose();
     TEST_ASSERT_EQUAL_UINT8(PARK_FAULT, park.state);
@@ -147,6 +156,85 @@ static void test_lost_link_stops_the_car_and_keeps_the_wheel(void)
     TEST_ASSERT_EQUAL_UINT16(servo_us, park.servo_us);
     park_decide();
     TEST_ASSERT_FALSE(park_must_stand());
+}
+
+#ifndef PARK_AS_PUBLISHED
+static void test_car_stands_with_straight_wheels_while_it_checks(void)
+{
+    send(5120, 12800, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_EQUAL_UINT8(PARK_CHECKING, park.state);
+    TEST_ASSERT_TRUE(park_must_stand());
+    TEST_ASSERT_EQUAL_UINT16(PARK_SERVO_MID_US, park.servo_us);
+}
+
+/* 19.5 m straight ahead are 79 steps of 0.25 m, and one step sees the end. */
+static void test_check_takes_a_step_for_each_quarter_of_a_metre(void)
+{
+    TEST_ASSERT_EQUAL_UINT16(81, start_from(0, 10000, QUARTER_TURN));
+}
+
+static void expect_dead_zone(int16_t x, int16_t y, uint16_t heading)
+{
+    park_init();
+    start_from(x, y, heading);
+    TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
+    TEST_ASSERT_TRUE(park_must_stand());
+}
+
+/* 6 m and 10 m before the place, as in the study; half a metre beside it; the wrong way round;
+ * turned by 14 degrees; beside the line; nearer than 1 m to the end of the range; over 80 m. */
+static void test_starts_that_do_not_end_in_the_place_are_in_the_dead_zone(void)
+{
+    expect_dead_zone(1024, 3072, 18204);
+    expect_dead_zone(1536, 5120, 27307);
+    expect_dead_zone(256, 10, QUARTER_TURN);
+    expect_dead_zone(0, 10, 3 * QUARTER_TURN);
+    expect_dead_zone(0, 10, QUARTER_TURN + 2549U);
+    expect_dead_zone(513, 127, QUARTER_TURN);
+    expect_dead_zone(PARK_X_MAX_512 - 300, 10000, 32768U);
+    expect_dead_zone(0, PARK_Y_MAX_512 - 300, 3 * QUARTER_TURN);
+    expect_dead_zone(18954, 784, 55292U);
+}
+
+static void test_dead_zone_lasts_until_the_next_start(void)
+{
+    expect_dead_zone(1024, 3072, 18204);
+    park_lose();
+    TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
+    start_from(0, 10000, QUARTER_TURN);
+    TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
+    send(0, 0, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
+}
+
+static void test_lost_link_ends_the_check_and_it_begins_anew(void)
+{
+    uint8_t steps;
+
+    send(0, 10000, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    for (steps = 0; steps < 50; steps++) {
+        park_decide();
+    }
+    park_lose();
+    TEST_ASSERT_EQUAL_UINT8(PARK_FAULT, park.state);
+    TEST_ASSERT_EQUAL_UINT16(81, start_from(0, 10000, QUARTER_TURN));
+    TEST_ASSERT_EQUAL_UINT8(PARK_DRIVING, park.state);
+}
+#endif
+
+static void test_sines(void)
+{
+    TEST_ASSERT_EQUAL_INT16(0, plan_sine_q15(0));
+    TEST_ASSERT_INT16_WITHIN(4, 16384, plan_sine_q15(5461));
+    TEST_ASSERT_EQUAL_INT16(32767, plan_sine_q15(QUARTER_TURN));
+    TEST_ASSERT_EQUAL_INT16(0, plan_sine_q15(2 * QUARTER_TURN));
+    TEST_ASSERT_EQUAL_INT16(-32767, plan_sine_q15(3 * QUARTER_TURN));
+    TEST_ASSERT_INT16_WITHIN(4, -23170, plan_sine_q15(57344U));
 }
 
 static void expect_refused(int16_t x, int16_t y)
@@ -210,6 +298,14 @@ static void test_laws_against_floating_point(void)
     }
     TEST_ASSERT_TRUE(ties < states / 25);
 }
+
+static void test_sines_of_all_angles(void)
+{
+    for (unsigned angle = 0; angle < 65536; angle++) {
+        TEST_ASSERT_DOUBLE_WITHIN(5, 32768 * sin(angle / 65536.0 * 360 / DEG),
+                                  plan_sine_q15((uint16_t)angle));
+    }
+}
 #endif
 
 int main(void)
@@ -221,9 +317,18 @@ int main(void)
     RUN_TEST(test_servo_pulse_is_one_to_two_milliseconds);
     RUN_TEST(test_at_the_line_it_stands_for_good);
     RUN_TEST(test_lost_link_stops_the_car_and_keeps_the_wheel);
+#ifndef PARK_AS_PUBLISHED
+    RUN_TEST(test_car_stands_with_straight_wheels_while_it_checks);
+    RUN_TEST(test_check_takes_a_step_for_each_quarter_of_a_metre);
+    RUN_TEST(test_starts_that_do_not_end_in_the_place_are_in_the_dead_zone);
+    RUN_TEST(test_dead_zone_lasts_until_the_next_start);
+    RUN_TEST(test_lost_link_ends_the_check_and_it_begins_anew);
+#endif
+    RUN_TEST(test_sines);
     RUN_TEST(test_values_out_of_range_are_refused_and_change_nothing);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_laws_against_floating_point);
+    RUN_TEST(test_sines_of_all_angles);
 #endif
     return UNITY_END();
 }

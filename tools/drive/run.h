@@ -17,7 +17,7 @@
 enum {
     RUN_QUANTUM_US = 400, /* longest time between two syncs while the sensor listens */
     RUN_MARGIN_US = 50,   /* kept between a sync and the first event that may follow from it */
-    RUN_BOOT_S = 5,       /* the first trigger must come until then */
+    RUN_BOOT_S = 10,      /* the scenario's first trigger must come until then */
     RUN_RESET_WATCH_MS = 500
 };
 

@@ -89,7 +89,7 @@ static const struct frame_fault *fault_now(struct head *head, int64_t t_ns)
     const struct frame_fault *found = NULL;
     double t_s = (double)t_ns * 1e-9;
 
-    if (head->warm_left > 0) {
+    if (!head->started) {
         return NULL;
     }
     for (int i = 0; i < HEAD_FAULTS; i++) {
@@ -220,6 +220,7 @@ bool head_is_warm(const struct head *head)
 
 void head_start(struct head *head)
 {
+    head->started = true;
     head->answered_ns = 0;
     head->due_ns = head->bad_ns = head->rise_ns = INT64_MAX;
 }

@@ -90,6 +90,7 @@ struct head {
     head_spoil_fn *spoil;
     int64_t rise_ns;     /* of the trigger; INT64_MAX: it has not risen yet */
     int warm_left;       /* frames still to be answered before the world starts */
+    bool started;        /* the world has: from now on frames may be bad */
     int count;           /* of the next frame */
     int64_t due_ns;      /* the answer's first byte; INT64_MAX: none is due */
     int64_t answered_ns; /* when the measurement of the last answer was made; 0: none was */

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-static const double parked_m = 0.4, parked_rad = 2 * M_PI / 180;
+static const double aligned_m = 0.4, aligned_rad = 2 * M_PI / 180;
 
 /* Where a truck is after T_S on its circle. */
 static struct truck after(const struct truck *truck, double turn_radps, double t_s)
@@ -65,7 +65,45 @@ double truck_turn_rad(const struct truck *truck)
     return remainder(truck->heading_rad - M_PI / 2, 2 * M_PI);
 }
 
-bool truck_is_parked(const struct truck *truck)
+bool truck_is_aligned(const struct truck *truck)
 {
-    return fabs(truck->x_m) < parked_m && fabs(truck_turn_rad(truck)) < parked_rad;
+    return fabs(truck->x_m) < aligned_m && fabs(truck_turn_rad(truck)) < aligned_rad;
+}
+
+/* A corner of the outline, 0..3. */
+static void corner(const struct truck *truck, int which, double *x_m, double *y_m)
+{
+    double ahead_m = which < 2 ? truck->length_m + truck->overhang_m : -truck->overhang_m;
+    double left_m = (which % 2 ? 0.5 : -0.5) * truck->width_m;
+    double along_x = cos(truck->heading_rad), along_y = sin(truck->heading_rad);
+
+    *x_m = truck->x_m + ahead_m * along_x - left_m * along_y;
+    *y_m = truck->y_m + ahead_m * along_y + left_m * along_x;
+}
+
+bool truck_fits(const struct truck *truck, double place_m)
+{
+    for (int i = 0; i < 4; i++) {
+        double x_m, y_m;
+
+        corner(truck, i, &x_m, &y_m);
+        if (fabs(x_m) > place_m / 2) {
+            return false;
+        }
+    }
+    return sin(truck->heading_rad) > 0;
+}
+
+bool truck_touches(const struct truck *truck, const struct lot *lot)
+{
+    for (int i = 0; i < 4; i++) {
+        double x_m, y_m;
+
+        corner(truck, i, &x_m, &y_m);
+        if (x_m <= lot->west_m || x_m >= lot->east_m || y_m <= lot->south_m ||
+            y_m >= lot->north_m) {
+            return true;
+        }
+    }
+    return false;
 }

@@ -39,7 +39,8 @@
     METRIC(BRAKE_GAP, "brake_gap_m", "m", 2, KIND_NUMBER, "gap when it first brakes") \
     METRIC(RELEASE_GAP, "release_gap_m", "m", 2, KIND_NUMBER, "gap when it releases the brake again") \
     METRIC(RELEASE_KMH, "release_kmh", "km/h", 2, KIND_NUMBER, "own speed when it releases the brake again") \
-    METRIC(PARKED, "parked", "", 0, KIND_CHOICE, "yes or no: at Y = 0, within 0.4 m and 2 degrees of the place") \
+    METRIC(PARKED, "parked", "", 0, KIND_CHOICE, "yes or no: at Y = 0, with its whole outline in the place") \
+    METRIC(CONTACTS, "contacts", "", 0, KIND_COUNT, "how often the outline of the car touches a wall") \
     METRIC(END_X, "end_x_m", "m", 3, KIND_NUMBER, "distance beside the place, at Y = 0") \
     METRIC(END_TURN, "end_turn_deg", "deg", 2, KIND_NUMBER, "angle to the direction of the place, at Y = 0") \
     METRIC(ARRIVES_WITHIN, "arrives_within_s", "s", 3, KIND_NUMBER, "comes to Y = 0") \

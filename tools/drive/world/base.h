@@ -47,8 +47,8 @@ int64_t base_mark_ns(const struct world *world);
 int64_t base_measured_ns(const struct world *world);
 size_t base_take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES]);
 #define BASE_HEAD_FUNCTIONS                                                                        \
-    .is_warm = base_is_warm, .horizon_ns = base_horizon_ns, .guess_ns = base_guess_ns,             \
-    .mark_ns = base_mark_ns, .measured_ns = base_measured_ns, .take_bytes = base_take_bytes
+    .horizon_ns = base_horizon_ns, .guess_ns = base_guess_ns, .mark_ns = base_mark_ns,             \
+    .measured_ns = base_measured_ns, .take_bytes = base_take_bytes
 
 /* For the class of a world with a rig. */
 void base_state_reported(struct world *world, int64_t t_ns, const char *state);

@@ -428,6 +428,7 @@ const struct world_class follow_world = {
     .start = start,
     .pin_changed = pin_changed,
     .advance = advance,
+    .is_warm = base_is_warm,
     BASE_HEAD_FUNCTIONS,
     .state_reported = state_reported,
     .is_over = is_over,

@@ -236,6 +236,7 @@ const struct world_class gap_world = {
     .start = start,
     .pin_changed = pin_changed,
     .advance = advance,
+    .is_warm = base_is_warm,
     BASE_HEAD_FUNCTIONS,
     BASE_RIG_FUNCTIONS,
     .values = values,

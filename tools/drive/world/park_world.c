@@ -15,15 +15,21 @@ static const double unit_per_m = 512, turn = 65536;
 
 static const double servo_mid_us = 1500, servo_span_us = 500;
 static const double degree = M_PI / 180;
-static const double dwell_s = 0.3; /* what is shown of the car in its place */
+static const int check_frames = 330; /* PLAN_STEPS_MAX of firmware/park/plan.h, and some */
+static const double dwell_s = 0.3;   /* what is shown of the car in its place */
 
 struct park_settings {
     struct {
         double x_m, y_m, heading_deg; /* at the start: rear axle's midpoint, axis against +x */
         double speed_mps;             /* backwards */
         double length_m;              /* from axle to axle */
+        double width_m, overhang_m;   /* of the car's outline: beyond each axle */
+        double place_m;               /* width of the place */
         double steer_deg;             /* for a pulse of 2 ms */
     } park;
+    struct {
+        double west_m, east_m, south_m, north_m; /* SCENARIO_UNSET: no wall */
+    } lot;
     struct {
         double place_m, heading_deg; /* standard deviations */
     } noise;
@@ -63,6 +69,23 @@ static const struct key park_keys[] = {
      .low = 1,
      .high = 10,
      .initial = 4},
+    {.name = "width_m",
+     .meaning = "width of the car",
+     .at = AT(width_m),
+     .low = 0.5,
+     .high = 5,
+     .initial = 2},
+    {.name = "overhang_m",
+     .meaning = "how far the car reaches beyond each axle",
+     .at = AT(overhang_m),
+     .high = 5,
+     .initial = 0.9},
+    {.name = "place_m",
+     .meaning = "width of the place",
+     .at = AT(place_m),
+     .low = 0.5,
+     .high = 10,
+     .initial = 3},
     {.name = "steer_deg",
      .meaning = "steering angle at a pulse of 2 ms",
      .at = AT(steer_deg),
@@ -77,6 +100,45 @@ static const struct section park_section = {
     .meaning = "a car that drives backwards to its place, at x = 0 and y = 0",
     SECTION_KEYS(park_keys),
     .size = sizeof(((struct park_settings *)NULL)->park)};
+
+#define AT(member) offsetof(struct park_settings, lot.member) - offsetof(struct park_settings, lot)
+static const struct key lot_keys[] = {
+    {.name = "west_m",
+     .meaning = "how far the wall at negative x is from the middle of the place",
+     .at = AT(west_m),
+     .low = 0.1,
+     .high = 100,
+     .initial = SCENARIO_UNSET,
+     .unset = "no wall"},
+    {.name = "east_m",
+     .meaning = "the same of the wall at positive x",
+     .at = AT(east_m),
+     .low = 0.1,
+     .high = 100,
+     .initial = SCENARIO_UNSET,
+     .unset = "no wall"},
+    {.name = "south_m",
+     .meaning = "how far the wall behind the place is from y = 0",
+     .at = AT(south_m),
+     .low = 0.1,
+     .high = 100,
+     .initial = SCENARIO_UNSET,
+     .unset = "no wall"},
+    {.name = "north_m",
+     .meaning = "the same of the wall at positive y",
+     .at = AT(north_m),
+     .low = 0.1,
+     .high = 100,
+     .initial = SCENARIO_UNSET,
+     .unset = "no wall"},
+};
+#undef AT
+
+static const struct section lot_section = {
+    .name = "lot",
+    .meaning = "walls around a parking lot; the car drives on when it touches one",
+    SECTION_KEYS(lot_keys),
+    .size = sizeof(((struct park_settings *)NULL)->lot)};
 
 #define AT(member)                                                                                 \
     offsetof(struct park_settings, noise.member) - offsetof(struct park_settings, noise)
@@ -99,6 +161,7 @@ static const struct section_use sections[] = {
      .required = true,
      .only = "title app duration_s event_s seed demo"},
     {.section = &park_section, AT_SETTINGS(struct park_settings, park), .required = true},
+    {.section = &lot_section, AT_SETTINGS(struct park_settings, lot)},
     {.section = &noise_section, AT_SETTINGS(struct park_settings, noise)},
     HEAD_SECTIONS(struct park_settings, head),
     FLIP_SECTION,
@@ -108,16 +171,18 @@ WORLD_SETTINGS_FIT(struct park_settings);
 struct world {
     struct base base;
     struct truck truck;
+    struct lot lot;
     struct park_settings settings;
     struct head head;
     struct servo servo;
     bool levels[BOARD_OUTPUTS];
-    bool started, arrived;
+    bool started, arrived, touches;
+    int frames; /* asked for */
     int64_t now_ns, step_ns;
     double event_s, full_steer_rad;
     double steer_rad, seen_rad; /* now; while frames were good */
     double arrived_s, end_x_m, end_turn_rad, stood_s, first_fault_s, alarm_s;
-    double blind_steer_rad, stop_toggles;
+    double blind_steer_rad, stop_toggles, contacts;
 };
 
 static const struct world_column columns[] = {
@@ -133,10 +198,19 @@ static double now_s(const struct world *world)
 
 /* --- the car ------------------------------------------------------------------------------ */
 
+static void note_contact(struct world *world)
+{
+    bool touches = truck_touches(&world->truck, &world->lot);
+
+    world->contacts += touches && !world->touches;
+    world->touches = touches;
+}
+
 static void drive(struct world *world, double dt_s)
 {
     double used_s = truck_drive(&world->truck, world->steer_rad, dt_s);
 
+    note_contact(world);
     if (world->truck.y_m > 0) {
         return;
     }
@@ -190,6 +264,7 @@ static void measure_place(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX]
 {
     double deviation_rad = world->settings.noise.heading_deg * degree;
 
+    world->frames++;
     head_put_16(payload, measured(world, world->truck.x_m));
     head_put_16(payload + 2, measured(world, world->truck.y_m));
     head_put_16(payload + 4,
@@ -235,6 +310,11 @@ static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, b
 
 /* --- life and outcome --------------------------------------------------------------------- */
 
+static double wall_m(double setting_m)
+{
+    return setting_m > 0 ? setting_m : INFINITY;
+}
+
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
     struct world *world = base_create(sizeof *world);
@@ -245,7 +325,13 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
                                   .y_m = world->settings.park.y_m,
                                   .heading_rad = world->settings.park.heading_deg * degree,
                                   .speed_mps = world->settings.park.speed_mps,
-                                  .length_m = world->settings.park.length_m};
+                                  .length_m = world->settings.park.length_m,
+                                  .width_m = world->settings.park.width_m,
+                                  .overhang_m = world->settings.park.overhang_m};
+    world->lot = (struct lot){.west_m = -wall_m(world->settings.lot.west_m),
+                              .east_m = wall_m(world->settings.lot.east_m),
+                              .south_m = -wall_m(world->settings.lot.south_m),
+                              .north_m = wall_m(world->settings.lot.north_m)};
     world->full_steer_rad = world->settings.park.steer_deg * degree;
     world->event_s = scenario->event_s;
     world->step_ns = step_ns;
@@ -262,6 +348,15 @@ static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
     memcpy(world->levels, levels, sizeof world->levels);
     world->started = true;
     base_start(world);
+    note_contact(world);
+}
+
+/* The controller checks the start before it drives: the scenario begins when it lets go of the
+ * brake, or when it will not. */
+static bool is_warm(const struct world *world)
+{
+    return base_is_warm(world) && (!world->levels[PIN_STOP] || world->frames >= check_frames ||
+                                   world->settings.head.head.warm_up <= 0);
 }
 
 static void state_reported(struct world *world, int64_t t_ns, const char *state)
@@ -309,7 +404,9 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
     double *value = outcome->values;
 
     (void)t_ns;
-    value[METRIC_PARKED] = world->arrived && truck_is_parked(&world->truck);
+    value[METRIC_PARKED] =
+        world->arrived && truck_fits(&world->truck, world->settings.park.place_m);
+    value[METRIC_CONTACTS] = world->contacts;
     value[METRIC_END_X] = world->end_x_m;
     value[METRIC_END_TURN] = world->end_turn_rad / degree;
     value[METRIC_ARRIVES_WITHIN] = world->arrived_s - world->event_s;
@@ -370,6 +467,7 @@ const struct world_class park_world = {
     .pin_changed = pin_changed,
     .advance = advance,
     BASE_HEAD_FUNCTIONS,
+    .is_warm = is_warm,
     .state_reported = state_reported,
     .is_over = is_over,
     .values = values,

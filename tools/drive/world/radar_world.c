@@ -385,6 +385,7 @@ const struct world_class radar_world = {
     .start = start,
     .pin_changed = pin_changed,
     .advance = base_advance,
+    .is_warm = base_is_warm,
     BASE_HEAD_FUNCTIONS,
     BASE_RIG_FUNCTIONS,
     .values = values,
