@@ -39,6 +39,64 @@ static void test_that_the_firmware_reads_what_the_head_writes(void)
     TEST_ASSERT_EQUAL_MEMORY(payload, frame_body, sizeof payload);
 }
 
+static struct head a_head(double dropout, double age_frames, double scale, double speed_scale)
+{
+    struct head_settings settings;
+    struct head head;
+
+    memset(&settings, 0, sizeof settings);
+    settings.head.dropout = dropout;
+    settings.head.age_frames = age_frames;
+    settings.head.scale = scale;
+    settings.head.speed_scale = speed_scale;
+    for (int i = 0; i < HEAD_FAULTS; i++) {
+        settings.faults[i].kind = -1;
+    }
+    head_init(&head, &settings, 1, FRAME_PARK, sizeof payload, spoil);
+    head_start(&head);
+    return head;
+}
+
+static void test_an_old_head_sends_what_it_measured_some_triggers_before(void)
+{
+    static const int sent[2][6] = {{0, 1, 2, 3, 4, 5}, {0, 0, 0, 1, 2, 3}};
+
+    for (int old = 0; old < 2; old++) {
+        struct head head = a_head(0, 2 * old, 1, 1);
+
+        for (int i = 0; i < 6; i++) {
+            uint8_t measured[sizeof payload] = {(uint8_t)i}, line[HEAD_LINE_MAX];
+
+            head_measured(&head, i * 1000000000LL, measured);
+            TEST_ASSERT_EQUAL_INT(sent[old][i], head.payload[0]);
+            TEST_ASSERT_EQUAL_INT(i + 1, head.number);
+            head_take(&head, head_due_ns(&head), line);
+        }
+    }
+}
+
+static void test_a_share_of_the_triggers_gets_no_answer(void)
+{
+    struct head head = a_head(0.25, 0, 1, 1);
+    int silent = 0;
+
+    for (int i = 0; i < 10000; i++) {
+        uint8_t line[HEAD_LINE_MAX];
+
+        head_measured(&head, i * 1000000LL, payload);
+        silent += head_take(&head, head_due_ns(&head), line) == 0;
+    }
+    TEST_ASSERT_INT_WITHIN(150, 2500, silent);
+}
+
+static void test_a_wrong_scale_is_a_factor_on_distances_or_on_speeds(void)
+{
+    struct head head = a_head(0, 0, 1.5, 0.5);
+
+    TEST_ASSERT_EQUAL_DOUBLE(15, head_distance(&head, 10, 0));
+    TEST_ASSERT_EQUAL_DOUBLE(5, head_speed(&head, 10, 0));
+}
+
 /* Answers that come out silent, of ten at 0, 1, 2 .. 9 s, as a row of letters. */
 static const char *bad_answers(const struct frame_fault *first, const struct frame_fault *second)
 {
@@ -55,6 +113,7 @@ static const char *bad_answers(const struct frame_fault *first, const struct fra
         settings.faults[1] = *second;
     }
     head_init(&head, &settings, 1, FRAME_PARK, sizeof payload, spoil);
+    head_start(&head);
     for (int i = 0; i < 10; i++) {
         uint8_t line[HEAD_LINE_MAX];
 
@@ -105,6 +164,7 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
         }
         settings.faults[0] = (struct frame_fault){kinds[k], 0, -1, 0.5, -1, 1};
         head_init(&head, &settings, 7 + k, FRAME_PARK, sizeof payload, spoil);
+        head_start(&head);
         for (int64_t t_ns = 1000000; t_ns < 20000 * 1000000LL; t_ns += 1000000) {
             uint8_t line[HEAD_LINE_MAX];
             size_t size;
@@ -171,7 +231,9 @@ static void test_that_noise_is_apart_from_the_frames_faults(void)
     }
     settings.faults[0] = (struct frame_fault){FRAME_CORRUPT, 0, -1, 0.5, -1, 1};
     head_init(&head, &settings, 7, FRAME_PARK, sizeof payload, spoil);
+    head_start(&head);
     head_init(&quiet, &settings, 7, FRAME_PARK, sizeof payload, spoil);
+    head_start(&quiet);
     for (int i = 0; i < 20000; i++) {
         double error = head_noisy(&head, 3, 0.5) - 3;
 
@@ -192,6 +254,9 @@ static void test_that_noise_is_apart_from_the_frames_faults(void)
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_an_old_head_sends_what_it_measured_some_triggers_before);
+    RUN_TEST(test_a_share_of_the_triggers_gets_no_answer);
+    RUN_TEST(test_a_wrong_scale_is_a_factor_on_distances_or_on_speeds);
     RUN_TEST(test_that_the_firmware_reads_what_the_head_writes);
     RUN_TEST(test_that_a_schedule_says_which_frames_are_bad);
     RUN_TEST(test_that_a_schedule_counts_within_its_time);

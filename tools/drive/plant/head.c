@@ -30,6 +30,16 @@ double head_noisy(struct head *head, double value, double deviation)
     return value + deviation * random_normal(&head->noise);
 }
 
+double head_distance(struct head *head, double value, double deviation)
+{
+    return head_noisy(head, value * head->scale, deviation);
+}
+
+double head_speed(struct head *head, double value, double deviation)
+{
+    return head_noisy(head, value * head->speed_scale, deviation);
+}
+
 /* CRC-16/CCITT-FALSE, bit by bit. */
 static unsigned crc16(unsigned crc, uint8_t byte)
 {
@@ -206,6 +216,10 @@ void head_init(struct head *head, const struct head_settings *settings, uint64_t
     head->payload_bytes = payload_bytes;
     head->delay_ns = (int64_t)llround(settings->head.delay_ms * 1e6);
     head->warm_left = (int)settings->head.warm_up;
+    head->dropout = settings->head.dropout;
+    head->age_frames = (int)settings->head.age_frames;
+    head->scale = settings->head.scale;
+    head->speed_scale = settings->head.speed_scale;
     memcpy(head->faults, settings->faults, sizeof head->faults);
     random_seed(&head->random, seed ^ 0x46524D45u);
     random_seed(&head->noise, seed ^ 0x4E4F4953u);
@@ -233,9 +247,26 @@ bool head_trigger(struct head *head, int64_t t_ns, bool level)
     return is_pulse && head->due_ns == INT64_MAX;
 }
 
+/* The payload to send: PAYLOAD, or what was measured age_frames before; at first the oldest that
+ * there is. */
+static void grow_old(struct head *head, const uint8_t *payload)
+{
+    size_t size = sizeof head->aging[0];
+
+    memcpy(head->payload, head->aging_count > 0 ? head->aging[0] : payload,
+           (size_t)head->payload_bytes);
+    if (head->aging_count == head->age_frames) {
+        memmove(head->aging, head->aging + 1, sizeof head->aging - size);
+        head->aging_count -= head->aging_count > 0;
+    }
+    if (head->aging_count < head->age_frames) {
+        memcpy(head->aging[head->aging_count++], payload, (size_t)head->payload_bytes);
+    }
+}
+
 void head_measured(struct head *head, int64_t t_ns, const uint8_t *payload)
 {
-    memcpy(head->payload, payload, (size_t)head->payload_bytes);
+    grow_old(head, payload);
     head->number = (head->number + 1) % 256;
     head->due_ns = t_ns + head->delay_ns;
 }
@@ -262,6 +293,13 @@ static void remember(struct head *head, const uint8_t *line, size_t size)
     head->last_number = head->number;
 }
 
+static const struct frame_fault dropped = {.kind = FRAME_SILENCE};
+
+static bool is_dropped(struct head *head)
+{
+    return head->started && head->dropout > 0 && random_uniform(&head->random) < head->dropout;
+}
+
 size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
 {
     const struct frame_fault *fault;
@@ -272,6 +310,9 @@ size_t head_take(struct head *head, int64_t t_ns, uint8_t line[HEAD_LINE_MAX])
     }
     size = encode_answer(head, line);
     fault = fault_now(head, head->due_ns);
+    if (fault == NULL && is_dropped(head)) {
+        fault = &dropped;
+    }
     if (fault == NULL || fault->kind == FRAME_UNASKED) {
         remember(head, line, size);
         head->bad_ns = INT64_MAX;

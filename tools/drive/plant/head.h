@@ -17,6 +17,7 @@ enum {
     HEAD_PAYLOAD_MAX = 13,
     HEAD_LINE_MAX = 48,
     HEAD_OLD = 3,            /* frames that a head repeats by turns */
+    HEAD_AGE_MAX = 8,        /* frames */
     HEAD_GRACE_NS = 25000000 /* from a frame's first byte to its effect at a pin, at most */
 };
 
@@ -45,9 +46,12 @@ struct frame_fault {
 };
 
 struct head_settings {
-    struct {             /* section [head] */
-        double warm_up;  /* frames answered before t = 0, so that the link is up by then */
-        double delay_ms; /* from a trigger to the answer */
+    struct {               /* section [head] */
+        double warm_up;    /* frames answered before t = 0, so that the link is up by then */
+        double delay_ms;   /* from a trigger to the answer */
+        double dropout;    /* probability that a trigger gets no answer */
+        double age_frames; /* of what is sent */
+        double scale, speed_scale; /* factors on what it measures */
     } head;
     struct frame_fault faults[HEAD_FAULTS];
 };
@@ -59,9 +63,10 @@ struct head_noise {
 
 extern const struct section head_section, frame_section, head_noise_section;
 
-/* For the section table of a world with a head: where its struct head_settings is. */
-#define HEAD_SECTIONS(type, member)                                                                \
-    {.section = &head_section, AT_SETTINGS(type, member.head)},                                    \
+/* For the section table of a world with a head: where its struct head_settings is, and which keys of
+ * [head] have an effect (NULL: all). */
+#define HEAD_SECTIONS(type, member, keys)                                                          \
+    {.section = &head_section, AT_SETTINGS(type, member.head), .only = (keys)},                    \
     {                                                                                              \
         .section = &frame_section, AT_SETTINGS(type, member.faults), .copies = HEAD_FAULTS         \
     }
@@ -83,6 +88,7 @@ struct head {
     int kind; /* of frame.h */
     int payload_bytes;
     int64_t delay_ns; /* from the trigger's end to the first byte */
+    double dropout, scale, speed_scale;
     struct frame_fault faults[HEAD_FAULTS];
     int answers[HEAD_FAULTS]; /* in the fault's time so far */
     struct random random;
@@ -95,6 +101,9 @@ struct head {
     int64_t due_ns;      /* the answer's first byte; INT64_MAX: none is due */
     int64_t answered_ns; /* when the measurement of the last answer was made; 0: none was */
     uint8_t payload[HEAD_PAYLOAD_MAX];
+    uint8_t aging[HEAD_AGE_MAX]
+                 [HEAD_PAYLOAD_MAX]; /* measured, but not sent yet; the oldest first */
+    int age_frames, aging_count;
     int number; /* of the measurement, 0..255 */
     /* the frames before, for a head that repeats itself */
     uint8_t last[HEAD_OLD][HEAD_LINE_MAX];
@@ -111,6 +120,10 @@ void head_init(struct head *head, const struct head_settings *settings, uint64_t
 
 /* VALUE with noise of that standard deviation. */
 double head_noisy(struct head *head, double value, double deviation);
+
+/* The same on the head's scale. */
+double head_distance(struct head *head, double value, double deviation);
+double head_speed(struct head *head, double value, double deviation);
 
 /* Whether the next trigger is to be the world's first: the link is up. */
 bool head_is_warm(const struct head *head);

@@ -58,7 +58,7 @@ static const struct section_use sections[] = {
     {.section = &head_noise_section,
      AT_SETTINGS(struct follow_settings, noise),
      .only = "gap_m own_mps lead_mps"},
-    HEAD_SECTIONS(struct follow_settings, head),
+    HEAD_SECTIONS(struct follow_settings, head, NULL),
     FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct follow_settings);
@@ -197,27 +197,27 @@ static void step(struct world *world)
     }
 }
 
-/* A length in mm or a speed in mm/s with noise of that deviation in m or m/s. */
-static long measured(struct world *world, int value, double deviation, long high)
+static long speed_mmps(struct world *world, int speed_mmps, double deviation_mps)
 {
-    return head_limited(head_noisy(&world->head, value, deviation * 1000), 0, high);
+    return head_limited(head_speed(&world->head, speed_mmps, deviation_mps * 1000), 0,
+                        SPEED_MAX_MMPS);
 }
 
 /* A trigger ends the step before it and measures the result. */
 static void sense(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
 {
     const struct follow_settings *settings = &world->settings;
+    double gap_mm;
 
     if (world->stepping) {
         step(world);
     }
     world->stepping = world->started;
-    head_put_16(payload,
-                measured(world, robots_gap_mm(&world->robots), settings->noise.gap_m, GAP_MAX_MM));
-    head_put_16(payload + 2,
-                measured(world, world->robots.own_mmps, settings->noise.own_mps, SPEED_MAX_MMPS));
-    head_put_16(payload + 4,
-                measured(world, world->robots.lead_mmps, settings->noise.lead_mps, SPEED_MAX_MMPS));
+    gap_mm =
+        head_distance(&world->head, robots_gap_mm(&world->robots), settings->noise.gap_m * 1000);
+    head_put_16(payload, head_limited(gap_mm, 0, GAP_MAX_MM));
+    head_put_16(payload + 2, speed_mmps(world, world->robots.own_mmps, settings->noise.own_mps));
+    head_put_16(payload + 4, speed_mmps(world, world->robots.lead_mmps, settings->noise.lead_mps));
     payload[6] = !world->robots.lane_is_free;
     head_put_16(payload + 7, lround(settings->lane.change_m * 1000));
 }

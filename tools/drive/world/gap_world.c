@@ -50,7 +50,7 @@ static const struct section_use sections[] = {
     {.section = &lead_section, AT_SCENARIO(lead), .only = LEAD_KEYS_OF_A_HEAD},
     {.section = &cruise_section, AT_SETTINGS(struct gap_settings, cruise)},
     {.section = &head_noise_section, AT_SETTINGS(struct gap_settings, noise)},
-    HEAD_SECTIONS(struct gap_settings, head),
+    HEAD_SECTIONS(struct gap_settings, head, NULL),
     FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct gap_settings);
@@ -90,10 +90,10 @@ static double lead_accel_mps2(const struct car *car)
     return (after_mps - before_mps) / slope_s;
 }
 
-/* VALUE with noise, in hundredths of its unit, as the frame holds it. */
-static long measured(struct world *world, double value, double deviation, long low, long high)
+static long speed_cmps(struct world *world, double speed_mps, double deviation_mps)
 {
-    return head_limited(head_noisy(&world->head, value, deviation) * 100, low, high);
+    return head_limited(head_speed(&world->head, speed_mps, deviation_mps) * 100, 0,
+                        SPEED_MAX_CMPS);
 }
 
 /* Without a car ahead: the end of the range, at the own speed. */
@@ -103,13 +103,13 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
     const struct car *car = &world->rig.car;
     double lead_mps = car->targets[0].there ? car_lead_mps(car) : car->v_mps;
 
-    head_put_16(payload, measured(world, car_gap_m(car), settings->noise.gap_m, 0, GAP_MAX_CM));
-    head_put_16(payload + 2,
-                measured(world, car->v_mps, settings->noise.own_mps, 0, SPEED_MAX_CMPS));
-    head_put_16(payload + 4,
-                measured(world, lead_mps, settings->noise.lead_mps, 0, SPEED_MAX_CMPS));
-    head_put_16(payload + 6, measured(world, lead_accel_mps2(car), settings->noise.lead_mps2,
-                                      -ACCEL_MAX_CMPS2, ACCEL_MAX_CMPS2));
+    double gap_m = head_distance(&world->head, car_gap_m(car), settings->noise.gap_m);
+    double accel_mps2 = head_noisy(&world->head, lead_accel_mps2(car), settings->noise.lead_mps2);
+
+    head_put_16(payload, head_limited(gap_m * 100, 0, GAP_MAX_CM));
+    head_put_16(payload + 2, speed_cmps(world, car->v_mps, settings->noise.own_mps));
+    head_put_16(payload + 4, speed_cmps(world, lead_mps, settings->noise.lead_mps));
+    head_put_16(payload + 6, head_limited(accel_mps2 * 100, -ACCEL_MAX_CMPS2, ACCEL_MAX_CMPS2));
     payload[8] = (uint8_t)lround(settings->cruise.set_mps * 100 / SET_STEP_CMPS);
 }
 

@@ -163,7 +163,7 @@ static const struct section_use sections[] = {
     {.section = &park_section, AT_SETTINGS(struct park_settings, park), .required = true},
     {.section = &lot_section, AT_SETTINGS(struct park_settings, lot)},
     {.section = &noise_section, AT_SETTINGS(struct park_settings, noise)},
-    HEAD_SECTIONS(struct park_settings, head),
+    HEAD_SECTIONS(struct park_settings, head, "warm_up delay_ms dropout age_frames scale"),
     FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct park_settings);
@@ -255,7 +255,7 @@ static void steer(struct world *world)
 /* A place in m with noise, as the frame's sixteen bits hold it. */
 static long measured(struct world *world, double place_m)
 {
-    double noisy_m = head_noisy(&world->head, place_m, world->settings.noise.place_m);
+    double noisy_m = head_distance(&world->head, place_m, world->settings.noise.place_m);
 
     return head_limited(noisy_m * unit_per_m, -32768, 32767);
 }

@@ -8,7 +8,14 @@
 #include <string.h>
 
 /* The frames of firmware/frames/frame.h and radar.h. */
-enum { KIND = 1, PAYLOAD_BYTES = 13, FLAG_TARGET = 1, FLAG_SIGNED = 2, MIN_RADIUS_M = 31 };
+enum {
+    KIND = 1,
+    PAYLOAD_BYTES = 13,
+    FLAG_TARGET = 1,
+    FLAG_SIGNED = 2,
+    MIN_RADIUS_M = 31,
+    OWN_MAX_DKMH = 2500
+};
 
 /* The front end: carrier, sweep from peak to peak, duration of a triangle. */
 static const double light_mps = 299792458, carrier_hz = 77e9, sweep_hz = 150e6, triangle_s = 2e-3;
@@ -122,7 +129,7 @@ static const struct section_use sections[] = {
     {.section = &lead_section, AT_SCENARIO(lead), .only = LEAD_KEYS_OF_A_HEAD},
     {.section = &road_section, AT_SETTINGS(struct radar_settings, road)},
     {.section = &front_section, AT_SETTINGS(struct radar_settings, front)},
-    HEAD_SECTIONS(struct radar_settings, head),
+    HEAD_SECTIONS(struct radar_settings, head, NULL),
     FLIP_SECTION,
 };
 WORLD_SETTINGS_FIT(struct radar_settings);
@@ -178,8 +185,10 @@ static void add_noise(struct world *world, struct sight *sight)
     const struct radar_settings *settings = &world->settings;
     struct random *random = &world->random;
 
-    sight->range_m += settings->front.range_noise_m * random_normal(random);
-    sight->closing_mps += settings->front.closing_noise_mps * random_normal(random);
+    sight->range_m =
+        sight->range_m * world->head.scale + settings->front.range_noise_m * random_normal(random);
+    sight->closing_mps = sight->closing_mps * world->head.speed_scale +
+                         settings->front.closing_noise_mps * random_normal(random);
     sight->azimuth_rad += settings->front.azimuth_noise_deg * degree * random_normal(random);
     if (random_uniform(random) < settings->front.dropout) {
         sight->target = false;
@@ -216,7 +225,8 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
     if (world->seen.target) {
         measure_beats(world, &world->seen, payload);
     }
-    head_put_16(payload + 8, lround(world->rig.car.v_mps * 36));
+    head_put_16(payload + 8, head_limited(head_speed(&world->head, world->rig.car.v_mps, 0) * 36, 0,
+                                          OWN_MAX_DKMH));
     head_put_16(payload + 10, fabs(radius) > 0 ? lround(1e6 / radius) : 0);
     payload[12] = (uint8_t)((world->seen.target ? FLAG_TARGET : 0) |
                             (world->settings.front.beats == BEATS_SIGNED ? FLAG_SIGNED : 0));
