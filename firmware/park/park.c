@@ -121,8 +121,8 @@ bool park_read(void)
 }
 
 /* The next step of the check. */
-/*@ requires park_is_valid;
-    ensures park_is_valid;
+/*@ requires park_is_valid && (park.state == PARK_CHECKING ==> plan_is_valid);
+    ensures park_is_valid && (park.state == PARK_CHECKING ==> plan_is_valid);
     ensures park.y == \old(park.y);
     ensures park.state == PARK_CHECKING || park.state == PARK_DEAD_ZONE; */
 static void check(void)
@@ -142,6 +142,8 @@ static void check(void)
     }
 }
 
+/*@ requires park.state == PARK_CHECKING ==> plan_is_valid;
+    ensures park.state == PARK_CHECKING ==> plan_is_valid; */
 void park_decide(void)
 {
     uint16_t off_us;

@@ -57,7 +57,7 @@ static inline uint16_t part(uint16_t more, uint8_t fraction)
 
 int16_t plan_sine_q15(uint16_t angle_turn16)
 {
-    uint16_t within = angle_turn16 & (QUARTER_TURN - 1U);
+    uint16_t within = angle_turn16 % QUARTER_TURN;
     uint8_t at;
     int16_t sine;
 
@@ -106,13 +106,15 @@ static void swap(void)
 }
 
 /* A part of the step of 0.25 m, which is 128 in 1/512 m: 128 * sine / 32768, rounded to the
- * nearest. To add 128 before the shift could overflow. */
+ * nearest. */
 /*@ requires -32767 <= sine_q15 <= 32767;
     assigns \nothing;
     ensures -128 <= \result <= 128; */
 static int16_t of_step(int16_t sine_q15)
 {
-    return (int16_t)((sine_q15 >> 8) + ((sine_q15 >> 7) & 1));
+    uint16_t raised = (uint16_t)sine_q15 + HALF_TURN; /* 1..65535: sine_q15 + 32768 */
+
+    return (int16_t)(((raised / 128U + 1U) / 2U) - 128U);
 }
 
 /* Moves by one step backwards: along the circle, in the direction that the car has half way. */
@@ -163,7 +165,7 @@ void plan_begin(void)
 /*@ requires plan_is_valid;
     assigns park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
             park.theta_near, park.theta, x, y, heading, steps_left, cordic_polar;
-    ensures \result == PLAN_GOES_ON ==> plan_is_valid; */
+    ensures \result != PLAN_DEAD_ZONE ==> plan_is_valid; */
 uint8_t plan_step(void)
 {
     if (y <= 0) {

@@ -63,8 +63,8 @@ struct head_noise {
 
 extern const struct section head_section, frame_section, head_noise_section;
 
-/* For the section table of a world with a head: where its struct head_settings is, and which keys of
- * [head] have an effect (NULL: all). */
+/* For the section table of a world with a head: where its struct head_settings is, and which keys
+ * of [head] have an effect (NULL: all). */
 #define HEAD_SECTIONS(type, member, keys)                                                          \
     {.section = &head_section, AT_SETTINGS(type, member.head), .only = (keys)},                    \
     {                                                                                              \
