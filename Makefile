@@ -65,9 +65,8 @@ endif
 all: tools firmware   ## tools, and the firmware of all boards with the memory that each image takes
 
 include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
-
 # These install what they need first.
-TARGETS := demo sim unit unit-chip report bench test test-long attack prove test-prove fuzz pictures
+TARGETS := demo sim unit unit-chip report bench test test-long attack flips prove test-prove fuzz pictures
 .PHONY: $(TARGETS)
 demo:      ## the real firmware in the simulator, on a telling drive of APP, with a picture
 sim:       ## one drive: make sim APP=park SCENARIO=tests/loop/park/t1_demo.scn
@@ -78,6 +77,7 @@ bench:     ## cycles, bytes and stack of each image; speed of fistab and drive
 test:      ## the tests; ends with 'N passed, N failed'
 test-long: ## the two engines beside each other on every drive; the brake with the other estimator
 attack:    ## 10,000 drives of chance for each law of the brake; fails if one in a thousand is odd
+flips:     ## flips every bit of the chip, in five drives of the brake, and says what came of it
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
 test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail
 fuzz:      ## odd input for fistab, bound, drive and its simulator, for FUZZ_SECONDS in all

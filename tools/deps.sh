@@ -13,7 +13,7 @@ packages_for() {
     build="gcc make libc6-dev sdcc sdcc-libraries sdcc-ucsim libinih-dev libcjson-dev"
     page="jq parallel rsync clang lld wasi-libc libclang-rt-dev-wasm32"
     case $1 in
-    build | sim | attack) echo "$build" ;;
+    build | sim | attack | flips) echo "$build" ;;
     demo) echo "$build gnuplot-nox" ;;
     unit) echo "$build parallel" ;;
     test) echo "$build $page gnuplot-nox chromium avrdude clang-format-19 fuzzylite" ;;
@@ -29,7 +29,7 @@ packages_for() {
     flash) echo "avrdude pipx" ;;
     debian) echo "mmdebstrap git" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, prove, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, flips, prove, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
         exit 2
         ;;
     esac

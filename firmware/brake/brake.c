@@ -113,6 +113,50 @@ void brake_fail(uint8_t fault)
     }
 }
 
+uint8_t brake_sum(void)
+{
+    return brake.brake_pct ^ brake.stop ^ brake.warn ^ brake.state ^ brake.overridden ^ demand_pct ^
+           override_cs ^ latch_sum() ^ fault_sum() ^ target_sum() ^ closing_sum();
+}
+
+/*@ assigns brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,
+            fault_state, fault_code, silence_cs, good_readings,
+            latch_state, clear_readings, elsewhere_readings, left_readings,
+            target_worth, closing_place_mm, closing_difference, closing_smooth,
+            since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
+            clears, smooth_2mmps;
+    ensures brake_is_valid && brake_is_settled && !is_within; */
+void brake_begin_anew(void)
+{
+    bool is_lasting = fault_state == FAULT_LASTING;
+    uint8_t pct = demand_pct;
+    uint8_t votes = 0; /* for STOP: one of them may be what has changed */
+
+    if (brake.stop) {
+        votes++;
+    }
+    if (brake.brake_pct == 100) {
+        votes++;
+    }
+    if (latch_state != LATCH_OPEN) {
+        votes++;
+    }
+    brake_init(BRAKE_FAULT_WATCHDOG);
+    fault_code = BRAKE_FAULT_STATE;
+    if (is_lasting) {
+        fault_state = FAULT_LASTING;
+    }
+#if FAULT_PCT > 0
+    if (pct <= 100) { /* unreached: more, which only a bit that turns over makes of it */
+        raise(pct);
+    }
+#endif
+    if (votes >= 2) {
+        latch_hold();
+    }
+    settle();
+}
+
 #ifndef __SDCC_mcs51
 extern inline bool brake_must_stop(uint16_t dist_mm);
 #endif
@@ -316,8 +360,15 @@ void brake_tick(bool override_held)
     if (brake.overridden) {
         latch_override();
     }
+#if FAULT_PCT > 0
+    fault_tick();
+    if (fault_state != FAULT_GOOD) {
+        demand_fault(); /* in each tick, so that no bit that turns over ends it */
+    }
+#else
     if (fault_tick()) {
         demand_fault();
     }
+#endif
     settle();
 }

@@ -69,6 +69,20 @@ void brake_init(uint8_t fault);
     ensures !brake.overridden ==> brake.brake_pct >= FAULT_PCT; */
 void brake_fail(uint8_t fault);
 
+/* A check sum of what the decision keeps in RAM from one call of these functions to the next. A bit
+ * that turns over there changes it, and nothing else does. Up to 200 mc. */
+/*@ assigns \nothing; */
+uint8_t brake_sum(void);
+
+/* What the decision keeps in RAM has changed by itself, so nothing of it can be trusted: begins anew,
+ * in FAULT, which ends with three good readings unless it was to last. The brake is at least FAULT_PCT, and what it was if
+ * that can be. STOP goes on if two of three things say that it was on. Up to 500 mc. */
+/*@ ensures fault_state == (\old(fault_state) == FAULT_LASTING ? FAULT_LASTING : FAULT_ON);
+    ensures fault_code == BRAKE_FAULT_STATE;
+    ensures brake.state == BRAKE_FAULT && !brake.overridden;
+    ensures t10_anew: brake.brake_pct <= 100 && brake.brake_pct >= FAULT_PCT; */
+void brake_begin_anew(void);
+
 /* Must this reading (of kind RANGE_ECHO) stop the car? It needs neither estimator nor table, so ask
  * it first. About 15 mc; inline. */
 /*@ assigns \nothing;

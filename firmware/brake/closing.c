@@ -139,3 +139,12 @@ void closing_take_smooth(void)
     smooth_2mmps += (uint16_t)(off_mm >> 2);
     show_smooth();
 }
+
+uint8_t closing_sum(void)
+{
+    uint16_t words = closing_difference.closing_mmps ^ closing_difference.opening_mmps ^
+                     closing_smooth.closing_mmps ^ closing_smooth.opening_mmps ^ closing_place_mm ^
+                     closing_foreseen_mm ^ smooth_mm ^ smooth_2mmps;
+
+    return (uint8_t)words ^ (uint8_t)(words >> 8) ^ closing_span_cs;
+}

@@ -87,4 +87,8 @@ void closing_take_smooth(void);
     assigns closing_foreseen_mm; */
 void closing_expect(uint8_t span_cs);
 
+/* This part of brake_sum. */
+/*@ assigns \nothing; */
+uint8_t closing_sum(void);
+
 #endif

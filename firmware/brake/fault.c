@@ -84,3 +84,8 @@ bool fault_fail(uint8_t code)
     fault_code = code;
     return true;
 }
+
+uint8_t fault_sum(void)
+{
+    return fault_state ^ fault_code ^ silence_cs ^ good_readings;
+}

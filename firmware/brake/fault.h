@@ -17,7 +17,8 @@
 #include "cc51.h"
 #include "range.h"
 
-/* In the order of docs/brake.md. From BRAKE_FAULT_TABLE on they last until the next start. */
+/* In the order of docs/brake.md. From BRAKE_FAULT_TABLE to BRAKE_FAULT_IDLE they last until the
+ * next start. */
 enum brake_fault {
     BRAKE_FAULT_NONE,
     BRAKE_FAULT_NOT_RISEN,  /* no echo pulse at all */
@@ -31,6 +32,7 @@ enum brake_fault {
     BRAKE_FAULT_RAM,        /* self-test: pattern in RAM */
     BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
     BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */
+    BRAKE_FAULT_STATE,      /* what the decision keeps in RAM changed by itself; does not last */
 };
 
 /* Three periods of the sensor without a believed reading, and how many such readings in a row end
@@ -71,5 +73,9 @@ bool fault_tick(void);
     ensures fault_state == FAULT_LASTING;
     ensures \result <==> \old(fault_state) != FAULT_LASTING; */
 bool fault_fail(uint8_t code);
+
+/* This part of brake_sum. */
+/*@ assigns \nothing; */
+uint8_t fault_sum(void);
 
 #endif

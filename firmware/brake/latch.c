@@ -80,6 +80,11 @@ void latch_init(void)
     elsewhere_readings = 0;
 }
 
+void latch_hold(void)
+{
+    latch_state = LATCH_HELD;
+}
+
 void latch_override(void)
 {
     latch_state = LATCH_OPEN;
@@ -170,4 +175,9 @@ void latch_take(bool is_of_target)
         latch_state = LATCH_HELD;
     }
     latch_state = NEXT[latch_state][column];
+}
+
+uint8_t latch_sum(void)
+{
+    return latch_state ^ clear_readings ^ elsewhere_readings;
 }

@@ -57,9 +57,18 @@ void latch_init(void);
                 ==> latch_state != LATCH_OPEN; */
 void latch_take(bool is_of_target);
 
+/* STOP goes on, whatever was before. */
+/*@ assigns latch_state;
+    ensures latch_state == LATCH_HELD; */
+void latch_hold(void);
+
 /* The driver has the brake. */
 /*@ assigns latch_state;
     ensures latch_state == LATCH_OPEN; */
 void latch_override(void);
+
+/* This part of brake_sum. */
+/*@ assigns \nothing; */
+uint8_t latch_sum(void);
 
 #endif

@@ -14,6 +14,8 @@
 
 #define TRIGGER_TICKS (RANGE_PERIOD_CS * 10U / HAL_TICK_MS)
 
+#define TICKS_LATE 3U /* that many never go by in one round: a bit of the clock has turned over */
+
 #if HAL_TICK_MS != 10
 #error a tick must be 10 ms: the brake counts in hundredths of a second
 #endif
@@ -26,9 +28,13 @@ enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
 static uint8_t phase;      /* enum phase; any other value is PHASE_RUN */
 static uint8_t table_test; /* enum selftest */
 static uint8_t idle_wait;  /* ticks */
+static bool has_run_wild;  /* main began again without a reset */
 
 static uint8_t triggered; /* tick of the last trigger */
 static bool is_measuring;
+
+static uint8_t
+    sealed; /* the sum of what the decision and its clock keep, when they last changed it */
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */
@@ -123,6 +129,33 @@ static void control_step(uint8_t echo)
     seq++; /* counted as soon as the duty is set: where benches look */
 }
 
+/*@ assigns \nothing; */
+static uint8_t sum_up(void)
+{
+    return brake_sum() ^ tick ^ triggered ^ (uint8_t)is_measuring;
+}
+
+/*@ assigns sealed; */
+static void seal(void)
+{
+    sealed = sum_up();
+}
+
+/* A bit of what was sealed has turned over, or of the clock. */
+/*@ requires phase != PHASE_TEST;
+    requires table_test <= SELFTEST_FAILED;
+    ensures t10_anew: main_is_valid && phase == \old(phase) && table_test == \old(table_test) &&
+                fault_state != FAULT_GOOD && pin_brake_pct >= FAULT_PCT; */
+static void begin_anew(void)
+{
+    brake_begin_anew();
+    apply();
+    is_measuring = false;
+    tick = hal_ticks();
+    triggered = tick;
+    seal();
+}
+
 /* A measurement is over: the brake first, all else after it. */
 /*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_ECHO_DONE;
     ensures main_is_valid && phase == \old(phase); */
@@ -141,6 +174,7 @@ static void poll(void)
 {
     if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
         conclude(HAL_ECHO_DONE);
+        seal();
     }
 }
 
@@ -170,6 +204,7 @@ static void finish_selftest(uint8_t fault)
     triggered = tick; /* the first measurement comes a period after the brake's release */
     brake_init(fault);
     apply();
+    seal();
 }
 
 /* The brake stays on until all is found good. */
@@ -194,7 +229,7 @@ static void test(void)
             return;
         }
         fault = BRAKE_FAULT_IDLE;
-    } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
+    } else if (has_run_wild || hal_reset_cause() == HAL_RESET_WATCHDOG) {
         fault = BRAKE_FAULT_WATCHDOG;
     }
     finish_selftest(fault);
@@ -312,7 +347,8 @@ void main(void)
     /* Must be first: the pins are safe, the clock runs. */
     hal_init();
 
-    /* In any order. */
+    /* In any order. A reset clears RAM. */
+    has_run_wild = phase == PHASE_RUN;
     phase = PHASE_TEST;
     brake_init(BRAKE_FAULT_NONE); /* nothing of it is at the pins before the self-test is over */
     is_talking = true;
@@ -324,9 +360,12 @@ void main(void)
     /*@ loop invariant t9_on: main_is_valid; */
     for (;;) {
         /* Every round, less than a millisecond. */
+        HAL_BEGIN_ROUND();
         hal_registers_restore();
         if (phase == PHASE_TEST) {
             test();
+        } else if (sum_up() != sealed || (uint8_t)(hal_ticks() - tick) > TICKS_LATE) {
+            begin_anew();
         }
         poll();
         talk();
@@ -354,6 +393,7 @@ void main(void)
             if ((uint8_t)(tick - triggered) >= TRIGGER_TICKS) {
                 measure();
             }
+            seal();
         }
 
         /* Nothing above took so long that a tick went by unseen. */

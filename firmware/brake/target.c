@@ -265,3 +265,9 @@ uint8_t target_clear(void)
     clears = 0;
     return BRAKE_FAULT_NONE;
 }
+
+uint8_t target_sum(void)
+{
+    return target_worth ^ since_cs ^ since_aside_cs ^ stuck_readings ^ clears ^ (uint8_t)aside_mm ^
+           (uint8_t)(aside_mm >> 8);
+}

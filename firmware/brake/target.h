@@ -109,4 +109,8 @@ uint8_t target_echo(uint16_t dist_mm);
     ensures \result == BRAKE_FAULT_LOST ==> target_worth == \old(target_worth); */
 uint8_t target_clear(void);
 
+/* This part of brake_sum. */
+/*@ assigns \nothing; */
+uint8_t target_sum(void);
+
 #endif

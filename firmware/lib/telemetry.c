@@ -83,7 +83,7 @@ char telemetry_next(void)
     while (rest != 0) { /* rounds: 3, because a text can be empty */
         char c;
 
-        if (power != DECIMAL_END) {
+        if (power < DECIMAL_END) { /* not !=: a bit of it may turn over */
             return next_decimal();
         }
         if (text != 0) {

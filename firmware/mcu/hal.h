@@ -40,6 +40,14 @@ bool hal_uart_ready(void); /* whether hal_uart_put may be called: the last chara
 void hal_uart_put(char c); /* sends a character */
 char hal_uart_get(void);   /* the character that came in, or 0 if none came */
 
+/* At the begin of a round of main, where nothing is on the stack: sets the stack pointer and the
+ * processor's flags again, with their register bank. 4 mc. */
+#ifdef __SDCC
+#define HAL_BEGIN_ROUND() __asm__("mov psw, #0\n mov sp, #(__start__stack - 1)")
+#else
+#define HAL_BEGIN_ROUND() ((void)0)
+#endif
+
 /* Sets again what hal_init set in the brake's registers of timers, interrupts, UART and inputs: a
  * bit that has flipped there is right again. 35 mc. */
 void hal_registers_restore(void);

@@ -2,13 +2,6 @@
 /* From reset to main: safe pins, reset cause, tests of RAM and stack. And the simple pins. */
 #include "sfr.h"
 
-/* RAM keeps its content through a reset. So this signature in RAM tells a restart from power-on.
- * SDCC's start-up clears all RAM, but only after it has called _sdcc_external_startup. */
-#define SIGNATURE_1 0x51
-#define SIGNATURE_2 0xC3
-#define SIGNATURE_3 0x2E
-static volatile __idata uint8_t signature[3];
-
 /* The cause is kept in two general-purpose flags of PCON while RAM is cleared. A reset clears them.
  */
 #define CAUSE_SHIFT 2U
@@ -17,6 +10,11 @@ static volatile __idata uint8_t signature[3];
 
 #define STACK_PAINT 0xAA
 #define RAM_TOP     0xFF
+
+/* RAM keeps its content through a reset. So the paint at the end of the stack tells a restart from
+ * power-on, and one byte of two is enough: a program that ran wild may have spoilt the other. SDCC's
+ * start-up clears all RAM, but only after it has called _sdcc_external_startup. */
+#define IS_PAINTED(address) (*(volatile uint8_t __idata *)(address) == STACK_PAINT)
 
 __sfr __at(0xE1) WDT_CONTR; /* STC89 */
 __sfr __at(0xA6) WDTRST;    /* AT89S52 */
@@ -36,13 +34,13 @@ unsigned char EXTERNAL_STARTUP(void)
 {
     uint8_t cause = HAL_RESET_POWER;
 
+    hal_watchdog_feed(); /* time to paint the stack again, even if it ran already */
     pin_pwm = 1;
     pin_stop = 1;
     pin_lamp = 1;
     pin_buzzer = 1;
     pin_trigger = 0;
-    if (signature[0] == SIGNATURE_1 && signature[1] == SIGNATURE_2 && signature[2] == SIGNATURE_3 &&
-        (PCON & POWER_OFF) == 0) {
+    if ((PCON & POWER_OFF) == 0 && (IS_PAINTED(RAM_TOP) || IS_PAINTED(RAM_TOP - 1U))) {
 #if defined(WATCHDOG_at89s52)
         cause = HAL_RESET_WATCHDOG; /* a reset by pin looks the same; take the worse cause */
 #elif defined(WATCHDOG_stc89)
@@ -99,11 +97,9 @@ static void paint_stack(void)
 
 void hal_init(void)
 {
+    pin_stop = 1; /* a program that ran wild may come here without a reset */
     ram_is_good = test_ram();
     paint_stack();
-    signature[0] = SIGNATURE_1;
-    signature[1] = SIGNATURE_2;
-    signature[2] = SIGNATURE_3;
     pwm_init();
     sensor_init();
     uart_init();

@@ -18,6 +18,7 @@
  * theorem t7_road: a road clear for 2 s ends every STOP
  * theorem t7_opening: a gap that opens ends every STOP, at the second reading at the latest
  * theorem t7_passed: another target, tracked beyond LATCH_NEAR_MM for 1 s, ends every STOP
+ * theorem t10_anew: whatever its RAM held, begun anew it is in FAULT, with FAULT_PCT to 100 %
  * theorem t8_override: the override acts from the 100th tick held in a row, and not one tick longer than held
  */
 #include "bits.h"
@@ -60,6 +61,20 @@ static void count(uint16_t *counter)
 void begin(uint8_t fault)
 {
     brake_init(fault);
+    silent_ticks = 0;
+    held_ticks = 0;
+    believed_run = 0;
+    believed_fault = 0;
+    clear_run = 0;
+}
+
+/*@ ensures counted;
+    ensures t10_anew: brake.state == BRAKE_FAULT && !brake.overridden &&
+                FAULT_PCT <= brake.brake_pct <= 100;
+    ensures t6_lasting: \old(fault_state) == FAULT_LASTING ==> fault_state == FAULT_LASTING; */
+void anew(void)
+{
+    brake_begin_anew();
     silent_ticks = 0;
     held_ticks = 0;
     believed_run = 0;

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
- * functions: apply,report,control_step,conclude,poll,measure,finish_selftest,test,show,advance_clock,listen,title,status,answer,talk,main
+ * functions: apply,report,sum_up,seal,begin_anew,control_step,conclude,poll,measure,finish_selftest,test,show,advance_clock,listen,title,status,answer,talk,main
  *
  * The brake's main loop, from reset on, whatever the machine delivers.
  *
  * theorem t9_on: from reset until the self-test is over the brake is fully on, with STOP
  * theorem t9_passed: it ends without a lasting FAULT only if the table's check sum is right
+ * theorem t10_anew: begun anew because a bit of RAM turned over, it brakes at least FAULT_PCT, in FAULT
  * theorem t9_fails: a failed self-test ends in a lasting FAULT, with at least FAULT_PCT at the pin
  */
 #include "bits.h"

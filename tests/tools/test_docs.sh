@@ -49,7 +49,7 @@ wrong_paths() {
         for word in $text; do
             word=${word%[,.;:]}
             case $word in
-            build/fistab | build/drive | build/bound | build/lab) [ -x "$word" ] || echo "$place: no tool '$word'" ;;
+            build/fistab | build/drive | build/bound | build/flip | build/lab) [ -x "$word" ] || echo "$place: no tool '$word'" ;;
             firmware/* | tools/* | tests/* | tables/* | docs/* | .ci/*)
                 compgen -G "$(sed -E 's/(NAME|APP|BOARD|FILE|DIR)/*/g' <<<"$word")" >/dev/null || echo "$place: no '$word'"
                 ;;
@@ -63,7 +63,7 @@ set +f
 
 # --- options and knobs ---------------------------------------------------------------------------------
 mapfile -t fistab_commands < <(build/fistab --help | sed -nE 's/^  ([a-z]+)  +.*/fistab \1/p')
-for tool in "${fistab_commands[@]}" drive bound lab; do
+for tool in "${fistab_commands[@]}" drive bound lab flip; do
     # shellcheck disable=SC2086  # a tool and its command
     build/$tool --help >"$out/help_${tool/ /_}"
 done
@@ -77,7 +77,7 @@ wrong_options() {
     while IFS=$'\t' read -r place text; do
         [[ $text == sdcc\ * ]] && continue # the compiler's own
         help=("${helps[@]}")
-        [[ $text =~ ^(build/)?(fistab|drive|bound|lab)\ ([a-z]+) ]] && {
+        [[ $text =~ ^(build/)?(fistab|drive|bound|flip|lab)\ ([a-z]+) ]] && {
             help=("$out/help_${BASH_REMATCH[2]}")
             [ -e "${help[0]}" ] || help=("${help[0]}_${BASH_REMATCH[3]}")
             [ -e "${help[0]}" ] || { echo "$place: no command '${BASH_REMATCH[0]}'"; continue; }

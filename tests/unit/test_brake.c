@@ -889,6 +889,127 @@ static void test_a_target_that_slows_down_is_followed_two_columns_behind(void)
     TEST_ASSERT_EQUAL_UINT8(lut_at(law_answer.row, 9), law_answer.brake_pct);
 }
 
+/* --- what a bit that turns over in RAM can do ------------------------------------------------- */
+
+/* Turns over each bit of SIZE bytes, one after the other; true: the check sum shows each. */
+static bool each_bit_shows(void *place, uint8_t size)
+{
+    uint8_t *byte = place, bit;
+
+    while (size-- != 0) {
+        for (bit = 1; bit != 0; bit = (uint8_t)(bit << 1)) {
+            uint8_t before = brake_sum();
+
+            *byte ^= bit;
+            if (brake_sum() == before) {
+                return false;
+            }
+            *byte ^= bit;
+            if (brake_sum() != before) {
+                return false;
+            }
+        }
+        byte++;
+    }
+    return true;
+}
+
+static void test_the_check_sum_shows_each_bit_that_turns_over(void)
+{
+    approach(4000, 1600, 300);
+    TEST_ASSERT_TRUE(each_bit_shows(&brake.brake_pct, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&brake.state, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&fault_state, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&fault_code, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&latch_state, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&target_worth, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&closing_span_cs, 1));
+    TEST_ASSERT_TRUE(each_bit_shows(&closing_place_mm, 2));
+    TEST_ASSERT_TRUE(each_bit_shows(&closing_foreseen_mm, 2));
+    TEST_ASSERT_TRUE(each_bit_shows((void *)&closing_difference, sizeof closing_difference));
+    TEST_ASSERT_TRUE(each_bit_shows((void *)&closing_smooth, sizeof closing_smooth));
+}
+
+static void test_the_check_sum_shows_ticks_and_readings(void)
+{
+    uint8_t before = brake_sum();
+
+    brake_tick(false); /* the silence grows */
+    TEST_ASSERT_NOT_EQUAL(before, brake_sum());
+    before = brake_sum();
+    brake_tick(true); /* and the override */
+    TEST_ASSERT_NOT_EQUAL(before, brake_sum());
+}
+
+static void test_begun_anew_it_is_in_fault_and_leaves_it_with_three_good_readings(void)
+{
+    brake_begin_anew();
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STATE, fault_code);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+    TEST_ASSERT_FALSE(brake.stop);
+    echoes(4900, 2);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    echo(4900);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, fault_code);
+}
+
+static void test_begun_anew_it_brakes_no_less_than_before(void)
+{
+    uint8_t pct;
+
+    approach(4000, 1300, 300);
+    pct = brake.brake_pct;
+    TEST_ASSERT_TRUE(pct > FAULT_PCT);
+    brake_begin_anew();
+    TEST_ASSERT_EQUAL_UINT8(pct, brake.brake_pct);
+}
+
+static void test_begun_anew_stop_goes_on_if_two_of_three_say_so(void)
+{
+    uint8_t wrong;
+
+    for (wrong = 0; wrong < 3; wrong++) {
+        start();
+        echoes(900, 3);
+        if (wrong == 0) {
+            brake.stop = false;
+        } else if (wrong == 1) {
+            brake.brake_pct ^= 64;
+        } else {
+            latch_state = LATCH_OPEN;
+        }
+        brake_begin_anew();
+        TEST_ASSERT_TRUE(brake.stop);
+        TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    }
+}
+
+static void test_begun_anew_one_of_three_is_no_stop(void)
+{
+    latch_state = LATCH_HELD;
+    brake_begin_anew();
+    TEST_ASSERT_FALSE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+}
+
+static void test_begun_anew_a_lasting_fault_lasts(void)
+{
+    brake_init(BRAKE_FAULT_RAM);
+    brake_begin_anew();
+    echoes(4900, 5);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+}
+
+static void test_a_fault_that_turns_over_by_itself_brakes_at_the_next_tick(void)
+{
+    fault_state = FAULT_LASTING;
+    brake_tick(false);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -946,5 +1067,13 @@ int main(void)
     RUN_TEST(test_warning_ends_half_a_second_after_its_reason);
     RUN_TEST(test_a_missing_echo_of_a_target_beyond_reach_brakes_nothing);
     RUN_TEST(test_a_target_that_slows_down_is_followed_two_columns_behind);
+    RUN_TEST(test_the_check_sum_shows_each_bit_that_turns_over);
+    RUN_TEST(test_the_check_sum_shows_ticks_and_readings);
+    RUN_TEST(test_begun_anew_it_is_in_fault_and_leaves_it_with_three_good_readings);
+    RUN_TEST(test_begun_anew_it_brakes_no_less_than_before);
+    RUN_TEST(test_begun_anew_stop_goes_on_if_two_of_three_say_so);
+    RUN_TEST(test_begun_anew_one_of_three_is_no_stop);
+    RUN_TEST(test_begun_anew_a_lasting_fault_lasts);
+    RUN_TEST(test_a_fault_that_turns_over_by_itself_brakes_at_the_next_tick);
     return UNITY_END();
 }

@@ -260,27 +260,45 @@ static enum sim_status run_to(struct loop *loop, int64_t t_ns)
     return SIM_RAN;
 }
 
-static enum sim_status boot(struct loop *loop)
+static bool is_booting(const struct loop *loop)
 {
-    while (!loop->run->triggered && loop->now_ns < RUN_BOOT_S * 1000000000LL) {
-        int64_t next_ns = loop->now_ns + (int64_t)loop->setup->quantum_us * 1000;
-        enum sim_status status;
+    return loop->status == SIM_RAN && !loop->run->triggered &&
+           loop->now_ns < RUN_BOOT_S * 1000000000LL;
+}
 
-        if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns) {
-            next_ns = loop->class->mark_ns(loop->world);
-        }
-        status = sim_run_to(loop->sim, next_ns);
-        loop->run->syncs++;
-        take_edges(loop);
-        if (status != SIM_RAN) {
-            return status;
-        }
-        loop->now_ns = loop->sim->now_ns - loop->start_ns;
-        if (!loop->run->triggered && loop->class->take_bytes != NULL) {
-            pass_mark(loop);
-        }
+static enum sim_status boot_quantum(struct loop *loop)
+{
+    int64_t next_ns = loop->now_ns + (int64_t)loop->setup->quantum_us * 1000;
+    enum sim_status status;
+
+    if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns) {
+        next_ns = loop->class->mark_ns(loop->world);
+    }
+    status = sim_run_to(loop->sim, next_ns);
+    loop->run->syncs++;
+    take_edges(loop);
+    if (status != SIM_RAN) {
+        return status;
+    }
+    loop->now_ns = loop->sim->now_ns - loop->start_ns;
+    if (!loop->run->triggered && loop->class->take_bytes != NULL) {
+        pass_mark(loop);
     }
     return SIM_RAN;
+}
+
+bool run_boot(struct loop *loop)
+{
+    if (is_booting(loop)) {
+        loop->status = boot_quantum(loop);
+    }
+    if (is_booting(loop)) {
+        return true;
+    }
+    if (loop->status == SIM_RAN && !loop->run->triggered) {
+        take_uart(loop);
+    }
+    return false;
 }
 
 static void send_bytes(struct loop *loop, int64_t t_ns)
@@ -422,8 +440,8 @@ static int start_simulator(struct loop *loop)
     return sim_start(loop->setup->engine, &loop->sim, &setup);
 }
 
-/* From reset to the scenario's begin. */
-static int begin(struct loop *loop)
+/* The controller stands at reset, the world before the scenario's begin. */
+static int power_up(struct loop *loop)
 {
     struct run *run = loop->run;
     const struct run_setup *setup = loop->setup;
@@ -436,10 +454,7 @@ static int begin(struct loop *loop)
     }
     loop->world = loop->class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);
     memset(loop->levels, true, sizeof loop->levels);
-    loop->status = boot(loop);
-    if (loop->status == SIM_RAN && !run->triggered) {
-        take_uart(loop);
-    }
+    loop->status = SIM_RAN;
     return EXIT_FINE;
 }
 
@@ -473,16 +488,18 @@ static int end(struct loop *loop)
 
 static int run_once(struct loop *loop)
 {
-    if (begin(loop) != EXIT_FINE) {
+    if (power_up(loop) != EXIT_FINE) {
         return EXIT_USAGE;
     }
+    while (run_boot(loop))
+        ;
     while (next_row(loop))
         ;
     return end(loop);
 }
 
-struct loop *run_begin(struct run *run, const struct run_setup *setup,
-                       const struct run_observer *observers, int observer_count)
+struct loop *run_power_up(struct run *run, const struct run_setup *setup,
+                          const struct run_observer *observers, int observer_count)
 {
     struct loop *loop = calloc(1, sizeof *loop);
 
@@ -495,10 +512,20 @@ struct loop *run_begin(struct run *run, const struct run_setup *setup,
     loop->class = setup->scenario->world;
     loop->observers = observers;
     loop->observer_count = observer_count;
-    if (begin(loop) != EXIT_FINE) {
+    if (power_up(loop) != EXIT_FINE) {
         free(loop);
         return NULL;
     }
+    return loop;
+}
+
+struct loop *run_begin(struct run *run, const struct run_setup *setup,
+                       const struct run_observer *observers, int observer_count)
+{
+    struct loop *loop = run_power_up(run, setup, observers, observer_count);
+
+    while (loop != NULL && run_boot(loop))
+        ;
     return loop;
 }
 
@@ -510,6 +537,11 @@ bool run_next(struct loop *loop)
 struct world *run_world(struct loop *loop)
 {
     return loop->world;
+}
+
+struct sim *run_sim(struct loop *loop)
+{
+    return loop->sim;
 }
 
 int run_end(struct loop *loop)

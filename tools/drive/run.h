@@ -70,11 +70,20 @@ struct loop;
 struct loop *run_begin(struct run *run, const struct run_setup *setup,
                        const struct run_observer *observers, int observer_count);
 
+/* The same, but the controller still stands before its first instruction. run_boot then runs it for
+ * one quantum, and returns false when the scenario has begun, or will not. */
+struct loop *run_power_up(struct run *run, const struct run_setup *setup,
+                          const struct run_observer *observers, int observer_count);
+bool run_boot(struct loop *loop);
+
 /* Runs for one row, WORLD_ROW_NS. Returns false when the run is over, whatever the reason. */
 bool run_next(struct loop *loop);
 
 /* The world of the run, to be changed between two steps. */
 struct world *run_world(struct loop *loop);
+
+/* The simulator of the run, likewise. */
+struct sim *run_sim(struct loop *loop);
 
 /* Measures the outcome and frees LOOP. Returns what run_scenario does; run_free is still due. */
 int run_end(struct loop *loop);

@@ -16,6 +16,8 @@ struct fast {
     int watched[4][8];           /* the index of a pin in setup.watch, or NO_PIN */
     uint8_t drive[SIM_MAX_PINS]; /* bit addresses */
     bool was_reset;
+    bool outlives_resets;
+    int resets; /* outlived */
     uint64_t reset_cycle;
     uint64_t line_free; /* the serial line to the chip is free from this cycle on */
     char *sent;         /* by the chip, not yet read */
@@ -84,7 +86,9 @@ static void note_reset(void *user, uint64_t cycle)
 {
     struct fast *fast = user;
 
-    if (!fast->was_reset) {
+    if (fast->outlives_resets) {
+        fast->resets++;
+    } else if (!fast->was_reset) {
         fast->was_reset = true;
         fast->reset_cycle = cycle;
         fast->base.last_ns = 0;
@@ -237,6 +241,21 @@ static void send(struct sim *sim, const char *bytes, size_t size)
         }
     }
     fast->line_free = at;
+}
+
+struct mcs52 *fast_chip(struct sim *sim)
+{
+    return fast_of(sim)->chip;
+}
+
+void fast_outlive_resets(struct sim *sim)
+{
+    fast_of(sim)->outlives_resets = true;
+}
+
+int fast_resets(const struct sim *sim)
+{
+    return ((const struct fast *)sim)->resets;
 }
 
 const struct sim_engine fast_engine = {.name = "fast",

@@ -1,0 +1,49 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# What the brake finds in its own RAM while it drives: each bit of what the decision remembers, and of its
+# clock, is flipped once, at instants spread over a period of the sensor, on a board without a watchdog. It
+# is found in the next round of the main loop, which is FAULT; what is flipped while the decision is at work
+# can be overwritten before that. And flip's own complaints.
+. tests/lib.sh
+board=generic8052
+make -s BOARD=$board build/$board/brake.ihx || exit 2
+
+address() { # NAME: of a variable
+    awk -v name="_$1:" '$NF == name || $NF == name ":" { print substr($1, 5); exit }' build/$board/brake/*/*.rst
+}
+bytes() { # NAME BYTES
+    printf '%X-%X' $((0x$(address "$1"))) $((0x$(address "$1") + $2 - 1))
+}
+
+# STOP stands, so that FAULT is nothing that a bad reading alone would bring.
+remembered=$(bytes demand_pct 1),$(bytes override_cs 1),$(bytes fault_code 1),$(bytes silence_cs 1)
+remembered+=,$(bytes latch_state 1),$(bytes target_worth 1),$(bytes since_cs 1),$(bytes closing_smooth 4)
+remembered+=,$(bytes closing_place_mm 2),$(bytes smooth_mm 2),$(bytes triggered 1),$(bytes tick 1),$(bytes ticks 1)
+build/flip --board=$board --scenario=tests/flips/stop.scn --at=0.5 --ram="$remembered" --least=100 \
+    --fault-state="$(address fault_state)" -o "$out/remembered.csv"
+say "flip ends" $?
+check "it flips 144 bits" awk -F , 'NR > 1 { n++ } END { exit n != 144 }' "$out/remembered.csv"
+check "no bit that flips lets go of STOP" awk -F , '$6 == "unsafe" || $6 == "lost" { exit 1 }' "$out/remembered.csv"
+check "nine in ten are found" awk -F , '$6 == "FAULT" { n++ } END { exit n < 0.9 * 144 }' "$out/remembered.csv"
+
+# In CONTROL the brake goes on as it was, or harder.
+build/flip --board=$board --scenario=tests/flips/approach.scn --at=0.5 --fault-state="$(address fault_state)" \
+    --ram="$(bytes brake 5),$(bytes demand_pct 1),$(bytes fault_state 1),$(bytes latch_state 1)" -o "$out/approach.csv"
+check "no bit of the decision leads to an impact or lets go of the brake" \
+    awk -F , '$6 == "unsafe" || $6 == "lost" { exit 1 } END { exit NR != 65 }' "$out/approach.csv"
+
+# The stack pointer and the register bank are right again in the next round.
+build/flip --board=$board --scenario=tests/flips/follow.scn --at=0.5 --sfr=D0 -o "$out/flags.csv"
+check "no flag that flips stays so" awk -F , 'NR > 1 && $6 != "none" && $6 != "corrected" && $6 != "safe-stop" { n++ } END { exit n > 1 }' "$out/flags.csv"
+
+# --- what flip says of odd input ------------------------------------------------------------------------
+good=(--board=$board --scenario=tests/flips/stop.scn --at=0.5)
+refuses "no board" 2 "give --board, --scenario and --at" build/flip
+refuses "an unknown board" 2 "no board 'none'" build/flip --board=none --scenario=tests/flips/stop.scn --at=0
+refuses "a bad instant" 2 "--at=soon: give a number" build/flip "${good[@]}" --at=soon
+refuses "a bad address" 2 "--ram=100: give a hexadecimal number" build/flip "${good[@]}" --ram=100
+refuses "a register below 80" 2 "--sfr=7F: give a hexadecimal number" build/flip "${good[@]}" --sfr=7F
+refuses "an unknown kind" 2 "--what=all: give bits, stuck, code or pc" build/flip "${good[@]}" --what=all
+refuses "no scenario file" 1 "none.scn" build/flip --board=$board --scenario=none.scn --at=0
+refuses "an image that never measures" 2 "does not begin" build/flip "${good[@]}" --hex=build/$board/bringup.ihx
+finish
