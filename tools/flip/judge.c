@@ -13,8 +13,8 @@ static const double least_slack_pct = .5; /* PWM is exact to 0.1 % */
 
 const char *judge_verdict_name(enum verdict verdict)
 {
-    static const char *const names[] = {"none", "corrected", "safe-stop",
-                                        "FAULT", "watchdog", "unsafe"};
+    static const char *const names[] = {"none",  "corrected", "safe-stop",
+                                        "FAULT", "watchdog",  "unsafe"};
 
     return names[verdict];
 }
@@ -48,7 +48,8 @@ void judge_take(struct judge *judge, const struct judge_row *row, const struct j
                   row->gap_m <= fair->gap_m + not_further_m && row->gap_m <= near_m;
     bool is_weak = least_pct > 0 && row->demand_pct < least_pct - least_slack_pct &&
                    fair->demand_pct >= least_pct - least_slack_pct;
-    bool is_full = row->demand_pct >= 100 && fair->demand_pct < 100 && !(row->gap_m <= false_full_m);
+    bool is_full =
+        row->demand_pct >= 100 && fair->demand_pct < 100 && !(row->gap_m <= false_full_m);
 
     harm(judge, lasts(&judge->off_rows, is_off, JUDGE_MOMENT_ROWS + 1), HARM_BRAKE_OFF);
     harm(judge, lasts(&judge->weak_rows, is_weak, JUDGE_MOMENT_ROWS + 1), HARM_WEAK);

@@ -81,7 +81,7 @@ static struct plan plan;
 static struct fair fair;
 static long clk_hz;
 static double least_pct;
-static long fault_at; /* address of the controller's fault_state; -1: not known */
+static long fault_at;           /* address of the controller's fault_state; -1: not known */
 static long unused_at, told_at; /* see --unused and --told */
 
 /* --- the plan ----------------------------------------------------------------------------- */
@@ -289,9 +289,9 @@ static void go_on(struct loop *loop, struct run *run, const struct run_setup *se
         ;
     if (!run->triggered) {
         one->harm = is_brake_on(loop, setup->board) ? HARM_NONE : HARM_BRAKE_OFF;
-        one->verdict = one->harm != HARM_NONE                ? VERDICT_UNSAFE
-                       : fast_resets(run_sim(loop)) > 0      ? VERDICT_WATCHDOG
-                                                             : VERDICT_SAFE_STOP;
+        one->verdict = one->harm != HARM_NONE           ? VERDICT_UNSAFE
+                       : fast_resets(run_sim(loop)) > 0 ? VERDICT_WATCHDOG
+                                                        : VERDICT_SAFE_STOP;
         one->done = true;
         return;
     }
@@ -397,8 +397,8 @@ static int print(const struct arguments *arguments)
     for (size_t i = 0; i < plan.count; i++) {
         const struct fault_case *one = &plan.cases[i];
 
-        fprintf(out, "%s,%s,0x%02X,%d,%llu,%s,%s,%.2f,%d\n", where_names[one->where], faults[one->kind],
-                one->address, one->bit, (unsigned long long)one->cycle,
+        fprintf(out, "%s,%s,0x%02X,%d,%llu,%s,%s,%.2f,%d\n", where_names[one->where],
+                faults[one->kind], one->address, one->bit, (unsigned long long)one->cycle,
                 one->done ? judge_verdict_name(one->verdict) : "lost", judge_harm_name(one->harm),
                 one->min_gap_m, one->rows);
     }
@@ -433,8 +433,8 @@ static const struct argp_option options[] = {
      2},
     {"at", OPT_AT, "S,...", 0, "instants, seconds after the first trigger; negative ones before it",
      2},
-    {"ram", OPT_RAM, "XX,...", 0, "addresses of RAM, hexadecimal; XX-YY is a range (default: all, but none with --sfr)",
-     2},
+    {"ram", OPT_RAM, "XX,...", 0,
+     "addresses of RAM, hexadecimal; XX-YY is a range (default: all, but none with --sfr)", 2},
     {"sfr", OPT_SFR, "XX,...", 0, "addresses of registers, likewise (default: none)", 2},
     {"count", OPT_COUNT, "N", 0, "of code and pc: how many at each instant", 2},
     {"seed", OPT_SEED, "N", 0, "of code and pc", 2},
