@@ -74,9 +74,10 @@ void brake_fail(uint8_t fault);
 /*@ assigns \nothing; */
 uint8_t brake_sum(void);
 
-/* What the decision keeps in RAM has changed by itself, so nothing of it can be trusted: begins anew,
- * in FAULT, which ends with three good readings unless it was to last. The brake is at least FAULT_PCT, and what it was if
- * that can be. STOP goes on if two of three things say that it was on. Up to 500 mc. */
+/* What the decision keeps in RAM has changed by itself, so nothing of it can be trusted: begins
+ * anew, in FAULT, which ends with three good readings unless it was to last. The brake is at least
+ * FAULT_PCT, and what it was if that can be. STOP goes on if two of three things say that it was
+ * on. Up to 500 mc. */
 /*@ ensures fault_state == (\old(fault_state) == FAULT_LASTING ? FAULT_LASTING : FAULT_ON);
     ensures fault_code == BRAKE_FAULT_STATE;
     ensures brake.state == BRAKE_FAULT && !brake.overridden;

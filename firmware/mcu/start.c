@@ -12,8 +12,8 @@
 #define RAM_TOP     0xFF
 
 /* RAM keeps its content through a reset. So the paint at the end of the stack tells a restart from
- * power-on, and one byte of two is enough: a program that ran wild may have spoilt the other. SDCC's
- * start-up clears all RAM, but only after it has called _sdcc_external_startup. */
+ * power-on, and one byte of two is enough: a program that ran wild may have spoilt the other.
+ * SDCC's start-up clears all RAM, but only after it has called _sdcc_external_startup. */
 #define IS_PAINTED(address) (*(volatile uint8_t __idata *)(address) == STACK_PAINT)
 
 __sfr __at(0xE1) WDT_CONTR; /* STC89 */

@@ -28,7 +28,7 @@ fly() { # BOARD DRIVE LEAST WHAT AT...
     shift 4
     stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' build/"$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' build/"$board"/brake.bound)))
     local options=(--ram=00-FF)
-    [ "$what" != bits ] || options+=(--sfr=$registers)
+    [ "$what" != bits ] || options+=("--sfr=$registers")
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
     build/flip --board="$board" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \

@@ -37,7 +37,7 @@ build/flip --board=$board --scenario=tests/flips/follow.scn --at=0.5 --sfr=D0 -o
 check "no flag that flips stays so" awk -F , 'NR > 1 && $6 != "none" && $6 != "corrected" && $6 != "safe-stop" { n++ } END { exit n > 1 }' "$out/flags.csv"
 
 # --- what flip says of odd input ------------------------------------------------------------------------
-good=(--board=$board --scenario=tests/flips/stop.scn --at=0.5)
+good=("--board=$board" --scenario=tests/flips/stop.scn --at=0.5)
 refuses "no board" 2 "give --board, --scenario and --at" build/flip
 refuses "an unknown board" 2 "no board 'none'" build/flip --board=none --scenario=tests/flips/stop.scn --at=0
 refuses "a bad instant" 2 "--at=soon: give a number" build/flip "${good[@]}" --at=soon
