@@ -18,12 +18,12 @@ for file in "$mem" "$bound" "$fragment"; do
         exit 1
     }
 done
-iram=$(awk '$1 == "IRAM_BYTES" { print $3 }' "$fragment")
-awk -v board="$1" -v app="$2" -v iram="$iram" '
+awk -v board="$1" -v app="$2" '
+$1 == "IRAM_BYTES" { iram = $3 }
 $1 == "stack:" { taken = $4 }
 /^Stack starts at/ { stack = $(NF - 2) }
 $1 == "ROM/EPROM/FLASH" { code = $(NF - 1); room = $NF }
 END {
     printf "%-12s %-12s code %5d of %5d bytes, RAM %3d of %3d bytes, which leaves %3d for the stack, which takes at most %d\n",
         board, app, code, room, iram - stack, iram, stack, taken
-}' "$bound" "$mem"
+}' "$fragment" "$bound" "$mem"

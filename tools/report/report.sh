@@ -43,6 +43,16 @@ tab_images() { # TAB
     tab_values "$1" image | sed 's/ *|.*//'
 }
 
+# Those that are wanted and that the board holds.
+built_images() { # TAB
+    local image
+    tab_images "$1" | while read -r image; do
+        [ -f "build/$board/$image.ihx" ] || continue
+        [[ -z $IMAGES || " $IMAGES " == *" $image "* ]] || continue
+        echo "$image"
+    done
+}
+
 # --- what is to be run --------------------------------------------------------------------------------
 check_knobs() {
     local images image
@@ -82,17 +92,25 @@ is_wanted() { # SCENARIO-NAME
 # name its image (app = ...). Those under "own" are for the first image of the tab. The name lacks the
 # prefix that marks a variant's files, so that variants share a row.
 scenarios_of() { # TAB
-    local prefixes first file name
+    local prefixes first key file name
     prefixes=$(tab_values "$1" variant | tr ' ' '|')
     first=$(tab_images "$1" | head -n 1)
     for key in scenarios own; do
         for file in $(tab_values "$1" $key); do
             [ -f "$file" ] || continue
-            name=$(basename "$file" .scn | sed -E "s/^(${prefixes:-^})//")
+            name=${file##*/}
+            name=${name%.scn}
+            [[ -z $prefixes || ! $name =~ ^($prefixes)(.*)$ ]] || name=${BASH_REMATCH[2]}
             is_wanted "$name" || continue
-            printf '%s\t%s\t%s\n' "$file" "$name" "$(if [ $key = own ]; then echo "$first"; else sed -n 's/^app *= *//p' "$file"; fi)"
+            printf '%s\t%s\t%s\n' "$file" "$name" "$(if [ $key = own ]; then echo "$first"; fi)"
         done
-    done
+    done | awk -F '\t' -v OFS='\t' '
+        $3 == "" {
+            while ((getline line <$1) > 0)
+                if (sub(/^app *= */, "", line)) $3 = line
+            close($1)
+        }
+        { print }'
 }
 
 short_hashes() { # FILE...: lines of file, hash
@@ -101,16 +119,15 @@ short_hashes() { # FILE...: lines of file, hash
 
 # Tasks, one a line: tab, image, scenario, key, image's file, scenario's file, seconds of simulated time.
 list_tasks() {
-    local tab image hex drive_hash
+    local tab image images drive_hash
     drive_hash=$(short_hashes "$DRIVE" | cut -f2)
     tabs | while read -r tab; do
+        mapfile -t images < <(built_images "$tab")
+        [ ${#images[@]} -gt 0 ] || continue
         scenarios_of "$tab" >"$work/scenarios"
-        for image in $(tab_images "$tab"); do
-            hex=build/$board/$image.ihx
-            [ -f "$hex" ] || continue
-            [[ -z $IMAGES || " $IMAGES " == *" $image "* ]] || continue
+        for image in "${images[@]}"; do
             echo "$image" >>"$work/built"
-            awk -F '\t' -v OFS='\t' -v id="$(tab_id "$tab")" -v image="$image" -v hex="$hex" \
+            awk -F '\t' -v OFS='\t' -v id="$(tab_id "$tab")" -v image="$image" -v hex="build/$board/$image.ihx" \
                 '$3 == "" || $3 == image { print id, image, $2, hex, $1 }' "$work/scenarios"
         done
     done >"$work/pairs"
@@ -223,20 +240,41 @@ text_files() { # FILE...
     fi
 }
 
-# CSV files with a head as one JSON object: {FILE: {COLUMN: [NUMBER...]}}.
+# CSV files with a head as one JSON object: {FILE: {COLUMN: [NUMBER...]}}. What is not a number is null.
 csv_files() { # FILE...
-    local file
-    for file; do
-        jq -Rn --arg name "$file" '[inputs | split(",")] | (.[0] | map(gsub("\""; ""))) as $head
-            | {($name): ([range($head | length) as $c | {key: $head[$c], value: [.[1:][][$c] | tonumber? // null]}] | from_entries)}' "$file"
-    done | jq -s 'add // {}'
+    awk -F, '
+        function flush(    c) {
+            if (file == "") return
+            printf "%s\"%s\":{", (files++ ? "," : "{"), file
+            for (c = 1; c <= columns; c++) printf "%s\"%s\":[%s]", (c > 1 ? "," : ""), head[c], column[c]
+            printf "}"
+        }
+        FNR == 1 {
+            flush()
+            file = FILENAME
+            columns = NF
+            for (c = 1; c <= columns; c++) {
+                head[c] = $c
+                gsub(/"/, "", head[c])
+                column[c] = ""
+            }
+            next
+        }
+        {
+            for (c = 1; c <= columns; c++)
+                column[c] = column[c] (FNR > 2 ? "," : "") ($c ~ /^-?(0|[1-9][0-9]*)([.][0-9]+)?(e[-+]?[0-9]+)?$/ ? $c : "null")
+        }
+        END {
+            flush()
+            print files ? "}" : "{}"
+        }' "$@" </dev/null
 }
 
-# The data files of a tab's figures that there are; {} in a name stands for each image.
+# The data files of a tab's figures that there are; {} in a name stands for each image that is built.
 tab_tables() { # TAB
     local file image
     tab_values "$1" figure | awk -F ' *[|] *' '$5 != "" { print $5 }' | while read -r file; do
-        tab_images "$1" | while read -r image; do existing "${file//\{\}/$image}"; done
+        built_images "$1" | while read -r image; do existing "${file//\{\}/$image}"; done
     done
 }
 
