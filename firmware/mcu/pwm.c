@@ -101,11 +101,11 @@ void hal_brake_set(uint8_t brake_pct)
     }
     new_is_set = 1;
     /* If the next edge is at least 128 cycles away there is time for what follows: 40 cycles, and
-     * 75 of other interrupts in between. So the high byte is rounded up. Below 128 the timer has
-     * overflowed, or is about to. The low byte is read first: a carry after it makes the time seem
-     * shorter, never longer. */
-    high = TL1 >> 7;
-    high += TH1;
+     * 75 of other interrupts in between. So the high byte is rounded up; from 128 on there is time.
+     * If the timer overflows between the two reads, its interrupt comes before is_second is read,
+     * and sets it. */
+    high = TH1;
+    high += TL1 >> 7;
     if (high >= 128U && !is_second) {
         take_new();
         prepare_first();

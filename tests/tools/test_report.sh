@@ -58,26 +58,35 @@ count_runs() { # true|false: the brake's runs that ended so
 calls() {
     wc -l 2>/dev/null <"$out/calls" || echo 0
 }
-# What the page says of its test of itself, in a frame as wide as WIDTH pixels: a window has at least 500.
-# Chromium's own log shows what the page said on the console.
-self_test() { # WIDTH
+# What pages say of their tests of themselves, each in a frame as wide as WIDTH pixels: a window has at least
+# 500. One start of Chromium is for all: $out/said gets lines "FRAME: what the page says". Chromium's own log,
+# $out/browser, shows what the pages said on the console.
+self_tests() { # WIDTH PAGE...
     local profile
     profile=$(mktemp -d)
-    cat >"$out/frame.html" <<END
-<html><body><iframe src="report/index.html#selftest" style="border:0;width:$1px;height:900px"></iframe>
-<script>onmessage = (message) => { document.body.append(["said", message.data].join(": ")); };</script>
+    {
+        echo '<html><body>'
+        printf '<iframe style="border:0;width:%spx;height:900px" src="report/%s#selftest"></iframe>\n' "$@"
+        cat <<'END'
+<script>
+const frames = [...document.querySelectorAll("iframe")].map((frame) => frame.contentWindow);
+onmessage = (message) => { document.body.append(`said ${frames.indexOf(message.source)}: ${message.data}\n`); };
+</script>
 END
+    } >"$out/frame.html"
     timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking \
         --disable-component-update --disable-sync --user-data-dir="$profile" --enable-logging=stderr \
         --window-size=1400,1000 --virtual-time-budget=30000 --dump-dom "file://$PWD/$out/frame.html" \
-        2>"$out/browser" | sed -n 's/.*said: \([^<]*\).*/\1/p'
+        2>"$out/browser" | grep -o 'said [0-9]*: [^<]*' | sed 's/^said //' >"$out/said"
     rm -rf "$profile"
 }
-page_fault() { # WIDTH [CHIP]: CHIP is what the page says first of its own drive
+page_fault() { # FRAME WIDTH [CHIP]: CHIP is what the page says first of its own drive
     local said
-    said=$(self_test "$1")
-    [[ $said == "passed: "*" 0 faults, $1 px wide; chip: ${2:-}"* ]] || echo "the page says: '$said'"
-    grep CONSOLE "$out/browser" | head -n 3
+    said=$(sed -n "s/^$1: //p" "$out/said")
+    [[ $said == "passed: "*" 0 faults, $2 px wide; chip: ${3:-}"* ]] || echo "the page says: '$said'"
+}
+keep_page() { # NAME
+    cp "$out/report/index.html" "$out/report/$1.html"
 }
 
 echo false_open >"$out/die"
@@ -91,9 +100,9 @@ wrong=
 grep -q '2 runs failed' "$out/log" || wrong="$wrong the failures are not said"
 faultless a_failed_run_is_reported_and_loses_no_other "$wrong"
 
-wrong=$(page_fault 1280)
-grep -q '"error":"exit status 2: drive ended with 0 but left no result"' "$out/report/index.html" || wrong="$wrong no reason is given"
-faultless the_page_names_failed_runs "$wrong"
+keep_page failed
+grep -q '"error":"exit status 2: drive ended with 0 but left no result"' "$out/report/failed.html"
+say the_page_names_failed_runs $? "no reason is given"
 
 rm -f "$out/die" "$out/empty" "$out/calls"
 run_report
@@ -140,7 +149,8 @@ wrong=
 [ $status = 1 ] || wrong="exit status $status"
 [ "$(grep -c '^the engines disagree: brake/.*LIE' "$out/log")" = 2 ] || wrong="$wrong the log does not name them: $(tail -n 2 "$out/log")"
 grep -q '2 disagree' "$out/report/index.html" || wrong="$wrong the page does not say so"
-faultless a_disagreement_of_the_engines_fails "$wrong$(page_fault 375)"
+faultless a_disagreement_of_the_engines_fails "$wrong"
+keep_page disagreement
 rm -rf "$out/lie" "$out"/report/runs/*-s51
 rm -f "$out/calls"
 engine=s51 only=seen_02.0 run_report
@@ -215,8 +225,11 @@ faultless each_image_says_who_it_is "$(jq -r '.images[] | select(.who | test("^f
     "$out"/report/parts/{brake,radar,gap,follow,park}.json 2>&1)"
 gap=$(build/drive run --engine=fast --board=stc89c516rd --scenario=tests/loop/standing_car_3mps.scn --json="$out/chip.json" >/dev/null &&
     printf '%.3f' "$(jq .outcome.stop_gap_m "$out/chip.json")")
-for width in 1280 375; do
-    faultless "page_works_at_${width}_px" "$(page_fault $width "brake impact_mps 0.000, brake stop_gap_m $gap, ")"
-done
+self_tests 1280 index.html 375 index.html 1280 failed.html 375 disagreement.html
+faultless page_works_at_1280_px "$(page_fault 0 1280 "brake impact_mps 0.000, brake stop_gap_m $gap, ")"
+faultless page_works_at_375_px "$(page_fault 1 375 "brake impact_mps 0.000, brake stop_gap_m $gap, ")"
+faultless page_with_failed_runs_works "$(page_fault 2 1280)"
+faultless page_with_a_disagreement_works "$(page_fault 3 375)"
+faultless pages_say_nothing_on_the_console "$(grep CONSOLE "$out/browser" | head -n 3)"
 faultless page_needs_no_network "$(grep -oiE '(src|href|url\()[= ]*["'\'']?(https?:)?//[^"'\'' >]*' "$out/report/index.html" | head -n 1)"
 finish
