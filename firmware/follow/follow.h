@@ -23,8 +23,10 @@
 #define FOLLOW_SPEED_MAX_MMPS 2500U  /* a robot drives 0..2 m/s */
 
 /* The change distance: nearer, the robot slows down instead of asking for the next lane. It matters
- * below a gap of 2 m only, where the table has VN. */
-#define FOLLOW_CHANGE_MIN_MM 100U
+ * below a gap of 2 m only, where the table has VN. A closing speed of just below 1 m/s counts as
+ * none there until the gap is below the change distance: to lose it then takes 0.25 m and two
+ * steps, so the least one is 0.5 m. */
+#define FOLLOW_CHANGE_MIN_MM 500U
 #define FOLLOW_CHANGE_MAX_MM 1900U
 #define FOLLOW_CHANGE_MM     1000U /* as published, until a frame says another one */
 

@@ -36,7 +36,7 @@ static const struct key lane_keys[] = {
     {.name = "change_m",
      .meaning = "the change distance that the head says: nearer, the robot slows down instead",
      .at = AT(change_m),
-     .low = 0.1,
+     .low = 0.5,
      .high = 1.9,
      .initial = 1},
 };
@@ -278,7 +278,7 @@ static void spoil(struct random *random, uint8_t *payload)
                                                    {2, 2, SPEED_MAX_MMPS + 1},
                                                    {4, 2, 65535},
                                                    {6, 1, 2},
-                                                   {7, 2, 99},
+                                                   {7, 2, 499},
                                                    {7, 2, 1901}};
 
     head_spoil_one(random, payload, impossible, sizeof impossible / sizeof impossible[0]);
