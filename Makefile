@@ -76,7 +76,7 @@ report:    ## every controller on every scenario, as build/report/index.html
 bench:     ## cycles, bytes and stack of each image; speed of fistab and drive
 test:      ## the tests; ends with 'N passed, N failed'
 test-long: ## the two engines beside each other on every drive; the brake with the other estimator
-attack:    ## 10,000 drives of chance for each law of the brake; fails if one in a thousand is odd
+attack:    ## drives of chance, 10,000 for each law of the brake, 400 for each other controller; fails if one in a thousand is odd
 flips:     ## flips every bit of the chip, in five drives of the brake, and says what came of it
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
 test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail

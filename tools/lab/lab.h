@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 
+#include "board.h"
 #include "image.h"
 #include "scenario.h"
 
@@ -42,6 +43,11 @@ void lab_print_trouble(FILE *out, const struct image *images, int count);
  * FIRST brakes fully at first sight, as a measure. Returns how many runs were flagged. */
 int lab_attack(FILE *out, const struct image *image, const struct image *first, long seed,
                long runs);
+
+/* The same for the real image HEX of a frame-fed controller, named APP, in the fast engine. Leaves
+ * the flagged drives in build/attack. Returns -1 after a message. */
+int lab_attack_head(FILE *out, const char *hex, const char *app, const struct board *board,
+                    long seed, long runs);
 
 /* Looks for a table for IMAGE, which links law_tuned, that is at least as gentle as REFERENCE at
  * low speeds: ROUNDS steps from START. Writes the best to OUT. Returns EXIT_FINE, or EXIT_INPUT

@@ -90,6 +90,7 @@ static const struct argp parser = {
     .parser = take_option,
     .args_doc = "run CONTROLLER.so --scenario=FILE\nfigures CONTROLLER.so...\n"
                 "trouble CONTROLLER.so...\nattack FIRST.so CONTROLLER.so...\n"
+                "attack build/BOARD/IMAGE.ihx...\n"
                 "tune TUNED.so REFERENCE.so -o FILE.fis",
     .doc =
         "Runs the firmware's control logic on this machine in drive's own world.\vrun prints what "
@@ -126,6 +127,39 @@ static int command_run(const struct image *image, const struct arguments *argume
     return EXIT_FINE;
 }
 
+static bool is_hex(const char *word)
+{
+    size_t length = strlen(word);
+
+    return length > 4 && strcmp(word + length - 4, ".ihx") == 0;
+}
+
+/* build/BOARD/IMAGE.ihx says which board and which app it is. */
+static int attack_images(const struct arguments *arguments)
+{
+    bool is_fine = true;
+
+    for (int i = 1; i < arguments->word_count; i++) {
+        const char *hex = arguments->words[i];
+        char board_name[32] = "", app[32] = "";
+        const struct board *board;
+        long flagged;
+
+        if (sscanf(hex, "build/%31[^/]/%31[a-z_].ihx", board_name, app) != 2 ||
+            (board = board_find(board_name)) == NULL) {
+            return diag_error(hex, 0, "name an image as build/BOARD/IMAGE.ihx; the boards are: %s",
+                              board_names());
+        }
+        flagged = lab_attack_head(stdout, hex, app, board,
+                                  arguments->seed >= 0 ? arguments->seed : 1, arguments->runs);
+        if (flagged < 0) {
+            return EXIT_INPUT;
+        }
+        is_fine &= flagged * 1000L < arguments->runs;
+    }
+    return is_fine ? EXIT_FINE : EXIT_INPUT;
+}
+
 int main(int argc, char **argv)
 {
     struct arguments arguments = {.seed = -1, .runs = 60, .rounds = 1500};
@@ -140,12 +174,16 @@ int main(int argc, char **argv)
     if (!(strcmp(command, "run") == 0 && count_of_images == 1 && arguments.scenario != NULL) &&
         !(strcmp(command, "figures") == 0 && count_of_images >= 1) &&
         !(strcmp(command, "trouble") == 0 && count_of_images >= 1) &&
-        !(strcmp(command, "attack") == 0 && count_of_images >= 2) &&
+        !(strcmp(command, "attack") == 0 &&
+          (count_of_images >= 2 || (count_of_images == 1 && is_hex(arguments.words[1])))) &&
         !(strcmp(command, "tune") == 0 && count_of_images == 2 && arguments.output != NULL)) {
         diag_error(
             NULL, 0,
             "say what to do: run, figures or tune, and with which controllers; see lab --help");
         return EXIT_USAGE;
+    }
+    if (strcmp(command, "attack") == 0 && is_hex(arguments.words[1])) {
+        return attack_images(&arguments);
     }
     for (int i = 0; i < count_of_images; i++) {
         if (image_load(&images[i], arguments.words[i + 1]) != EXIT_FINE) {

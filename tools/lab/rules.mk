@@ -23,6 +23,11 @@ endef
 # A random search for drives in which a controller does what nobody expects. Less than one drive in a
 # thousand may be flagged: two stray echoes that agree, or noise that repeats a reading (docs/brake.md).
 ATTACK_RUNS := 10000
+# The same for the frame-fed controllers, with their real images in the fast engine (docs/controllers.md).
+HEAD_ATTACK_RUNS   := 400
+HEAD_ATTACK_IMAGES := $(patsubst %,build/$(DEFAULT_BOARD)/%.ihx,radar gap follow park)
 .PHONY: run-attack
 run-attack: build/lab lab-images
 	@build/lab attack --runs $(ATTACK_RUNS) build/lab-images/first.so $(patsubst %,build/lab-images/%.so,brake tuned classic)
+	@$(MAKE) BOARD=$(DEFAULT_BOARD) $(HEAD_ATTACK_IMAGES)
+	@build/lab attack --runs $(HEAD_ATTACK_RUNS) $(HEAD_ATTACK_IMAGES)
