@@ -19,7 +19,7 @@ packages_for() {
     test) echo "$build $page gnuplot-nox chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
     # Debian 13 has no Frama-C, so its users cannot run the proofs.
-    prove) echo "$build frama-c-base why3 z3 cvc4" ;;
+    prove) echo "$build frama-c-base ocaml-findlib why3 z3 cvc4" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
     report) echo "$build $page" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
@@ -48,6 +48,7 @@ proof_of() {
     lld) echo "wasm-ld" ;;
     wasi-libc) echo "<wasm32-wasi/iso646.h>" ;;
     frama-c-base) echo "frama-c" ;;
+    ocaml-findlib) echo "ocamlfind" ;;
     octave) echo "octave octave-cli" ;;
     *) echo "$1" ;;
     esac

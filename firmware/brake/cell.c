@@ -38,9 +38,18 @@ extern inline uint8_t cell_by_subtraction(uint16_t x, uint16_t span, uint8_t cel
      (1UL << SHIFT(span)) + (256UL << SHIFT(span)) % WIDTH(span, cells) < WIDTH(span, cells))
 #define IS_NARROW(span, cells) (WIDTH(span, cells) <= 128)
 
+/* What GOES_BY_BYTES says, for all x below the span. */
+/*@ predicate goes_by_bytes(integer x, integer shift, integer factor, integer width) =
+        3 <= shift <= 8 && 0 < width <= 510 && 0 <= x < 256 << shift &&
+        factor == (256 << shift) / width && (1 << shift) + (256 << shift) % width < width; */
+
 /* Cells of up to 128 mm: what is left of x, less than two cells, fits a byte. */
+/*@ requires goes_by_bytes(x, shift, factor, width) && width <= 128;
+    assigns \nothing;
+    ensures tried: \result == x / width; */
 inline uint8_t cell_of_narrow(uint16_t x, uint8_t shift, uint8_t factor, uint8_t width)
 {
+    /*@ assert tried: (uint8_t)(x >> 8) << (8 - shift) <= 255; */
     uint8_t cell = (uint8_t)((uint8_t)(x >> 8) << (8 - shift) | (uint8_t)x >> shift);
 
     cell = (uint8_t)(mul_u8(cell, factor) >> 8);
@@ -51,6 +60,9 @@ inline uint8_t cell_of_narrow(uint16_t x, uint8_t shift, uint8_t factor, uint8_t
 }
 
 /* Cells of up to 510 mm: the width is the sum of two bytes. */
+/*@ requires goes_by_bytes(x, shift, factor, width);
+    assigns \nothing;
+    ensures tried: \result == x / width; */
 inline uint8_t cell_of_wide(uint16_t x, uint8_t shift, uint8_t factor, uint16_t width)
 {
     uint8_t cell = (uint8_t)(mul_u8((uint8_t)(x >> shift), factor) >> 8);
@@ -73,6 +85,8 @@ inline uint8_t cell_of_wide(uint16_t x, uint8_t shift, uint8_t factor, uint16_t 
 
 /* Long division of x * cells by the span. x * cells / 256 is below the span, so the quotient has
  * eight bits. cells is given less 1, because 256 cells do not fit a byte. */
+/*@ requires x < span;
+    assigns \nothing; */
 inline uint8_t cell_by_subtraction(uint16_t x, uint16_t span, uint8_t cells_less_1)
 {
     uint16_t low = mul_u8((uint8_t)x, cells_less_1);
@@ -86,6 +100,9 @@ inline uint8_t cell_by_subtraction(uint16_t x, uint16_t span, uint8_t cells_less
     if (bits < (uint8_t)x) {
         rest++;
     }
+    /*@ loop invariant left <= 8;
+        loop assigns left, rest, bits;
+        loop variant left; */
     for (left = 8; left != 0; left--) { /* rounds: 8 */
         bool is_beyond = rest >= 0x8000U;
 

@@ -15,7 +15,10 @@
 
 /* Returns the row of a distance, 0..LUT_IN1_CELLS - 1. For the published table at most 47 mc. */
 /*@ assigns \nothing;
-    ensures tried: \result < LUT_IN1_CELLS; */
+    ensures tried: \result < LUT_IN1_CELLS;
+    ensures tried: dist_mm < LUT_IN1_MIN_MILLI ==> \result == 0;
+    ensures tried: dist_mm >= LUT_IN1_MIN_MILLI + LUT_IN1_SPAN_MILLI ==>
+                \result == LUT_IN1_CELLS - 1; */
 uint8_t cell_row(uint16_t dist_mm);
 
 /* Returns the column of a speed, 0..LUT_IN2_CELLS - 1. At least one of the two speeds must be 0.

@@ -33,10 +33,17 @@
 #define EASE_HOLD_PCT       30U
 
 /* A target that was not there before. */
+/*@ assigns \nothing; */
 void ease_restart(void);
 
 /* What is left of table_pct (0..100) for a target at dist_mm with closing_smooth. Once a reading.
  */
+/*@ requires table_pct <= 100 && closing_is_valid;
+    assigns \nothing;
+    ensures \result <= 100;
+    ensures closing_smooth.opening_mmps >= EASE_OPENING_MMPS ==> \result == 0;
+    ensures closing_smooth.closing_mmps >= EASE_SPAN_MMPS - EASE_OPENING_MMPS ==>
+                \result >= table_pct; */
 uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm);
 
 #endif

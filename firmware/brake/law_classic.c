@@ -35,11 +35,18 @@ uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
 
 __data struct law_answer law_answer;
 
+/*@ assigns is_braking;
+    ensures !is_braking; */
 void law_restart(void)
 {
     is_braking = false;
 }
 
+/*@ assigns is_braking;
+    ensures law_answer.brake_pct == (is_braking ? 100 : 0);
+    ensures dist_mm < LAW_CLASSIC_MARGIN_MM ==> is_braking;
+    ensures \old(is_braking) && !is_braking && worth == TARGET_TRACKED ==>
+                dist_mm > LAW_CLASSIC_MARGIN_MM + LAW_CLASSIC_RELEASE_MM; */
 void law_step(uint8_t worth, uint16_t dist_mm)
 {
     uint16_t safe_mm = law_classic_safe_mm(CLOSING_LAW.closing_mmps);

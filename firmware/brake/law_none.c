@@ -9,6 +9,7 @@ void law_restart(void)
 {
 }
 
+/*@ ensures law_answer.brake_pct == 0; */
 void law_step(uint8_t worth, uint16_t dist_mm)
 {
     (void)worth;
@@ -18,6 +19,7 @@ void law_step(uint8_t worth, uint16_t dist_mm)
     law_answer.col = 0;
 }
 
+/*@ ensures \result == 0; */
 uint8_t law_pct(uint16_t dist_mm, const struct closing_speed __data *speed)
 {
     (void)dist_mm;

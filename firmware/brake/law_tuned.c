@@ -9,20 +9,37 @@
 
 __data struct law_answer law_answer;
 
+/* Holds from the start on: the cell of the last target stays when a new one is not looked up. */
+/*@ predicate law_is_valid =
+        ease_is_valid && law_answer.row < LUT_IN1_CELLS && law_answer.col < LUT_IN2_CELLS; */
+
+/*@ assigns still_readings, hold_pct;
+    ensures ease_is_valid; */
 void law_restart(void)
 {
     ease_restart();
 }
 
+/* The table's cell for a target that closes so fast. */
+/*@ assigns law_answer;
+    ensures law_answer.row < LUT_IN1_CELLS && law_answer.col < LUT_IN2_CELLS;
+    ensures law_answer.brake_pct <= 100; */
 static void look_up(uint16_t dist_mm, uint16_t closing_mmps)
 {
-    law_answer.col = cell_col(closing_mmps, CLOSING_LAW.opening_mmps);
+    law_answer.col = cell_col(closing_mmps, closing_mmps != 0 ? 0 : CLOSING_LAW.opening_mmps);
     law_answer.row = cell_row(dist_mm);
     law_answer.brake_pct = cell_pct(law_answer.row, law_answer.col);
 }
 
 /* The least closing speed of a target that entered: the road was clear as far as the table goes, so
  * the target has come at least `way_mm` since. 0: not known. */
+/*@ assigns \nothing;
+    ensures worth == TARGET_GLIMPSE ==> \result == 0;
+    ensures worth == TARGET_ENTERED ==> \result == (way_mm > LAW_TUNED_FIRST_MM ? 0 : 16 * way_mm);
+    ensures worth == TARGET_ENTERED_LATE ==>
+                \result == (way_mm > LAW_TUNED_LATE_MM ? 0 : 8 * way_mm);
+    ensures worth > TARGET_ENTERED_LATE ==>
+                \result == (way_mm > LAW_TUNED_LATE_MM ? 0 : 6 * way_mm); */
 static uint16_t least_closing_mmps(uint8_t worth, uint16_t way_mm)
 {
     if (worth == TARGET_ENTERED) { /* within one reading: 1/16 s */
@@ -39,6 +56,11 @@ static uint16_t least_closing_mmps(uint8_t worth, uint16_t way_mm)
 }
 
 /* A target whose own two readings do not tell its speed yet. */
+/*@ requires worth != TARGET_NONE && target_is_worth(worth) && closing_is_valid && law_is_valid;
+    assigns law_answer;
+    ensures law_is_valid;
+    ensures law_answer.brake_pct <= 100;
+    ensures worth == TARGET_ENTERED ==> law_answer.brake_pct <= LAW_TUNED_FIRST_PCT; */
 static void look_at_entered(uint8_t worth, uint16_t dist_mm)
 {
     uint16_t closing_mmps = least_closing_mmps(worth, (uint16_t)(LAW_FAR_MM - dist_mm));
@@ -55,6 +77,10 @@ static void look_at_entered(uint8_t worth, uint16_t dist_mm)
     }
 }
 
+/*@ requires law_is_valid;
+    assigns still_readings, hold_pct;
+    ensures law_is_valid;
+    ensures worth == TARGET_ENTERED ==> law_answer.brake_pct <= LAW_TUNED_FIRST_PCT; */
 void law_step(uint8_t worth, uint16_t dist_mm)
 {
     if (worth != TARGET_TRACKED) {

@@ -7,8 +7,10 @@
 
 #define GAP_END_MM 10000U /* the table's end */
 
-/* The levels 0..4 of both outputs mean -2..2. The sum of two levels is twice their mean. */
-#define LEVEL_ZERO_X2 4
+/* The levels 0..4 mean -2..2. The table's commands are -1..1, its changes 0 and 1. The sum of two
+ * levels is twice their mean. */
+#define LEVEL_ZERO    2
+#define LEVEL_ZERO_X2 (2 * LEVEL_ZERO)
 #if LUT_LEVELS != 4 || LUT_IN1_CELLS != 5 || LUT_IN2_CELLS != 3 || LUT_IN3_CELLS != 3
 #error "follow wants tables/follow.fis in 5x3x3 cells with 4 levels"
 #endif
@@ -23,17 +25,23 @@ struct follow follow;
 /* What the frame before asked for. */
 static int8_t asked_x2;
 static bool asked_lane;
+
+/* Holds from follow_init on. */
+/*@ predicate follow_remembers = -2 <= asked_x2 <= 2; */
 #endif
 
 /* How many of the thresholds are below the value: that is its cell. */
 /*@ requires thresholds <= 4 && \valid_read(threshold + (0 .. thresholds - 1));
     assigns \nothing;
-    ensures \result <= thresholds; */
+    ensures \result <= thresholds;
+    ensures \forall integer i; 0 <= i < \result ==> value > threshold[i];
+    ensures \result < thresholds ==> value <= threshold[\result]; */
 static uint8_t cell_of(int16_t value, const int16_t __code *threshold, uint8_t thresholds)
 {
     uint8_t cell = 0;
 
     /*@ loop invariant cell <= thresholds;
+        loop invariant \forall integer i; 0 <= i < cell ==> value > threshold[i];
         loop assigns cell;
         loop variant thresholds - cell; */
     while (cell < thresholds && value > threshold[cell]) { /* rounds: 4 */
@@ -63,10 +71,42 @@ void follow_look_up(void)
     uint8_t gap, closing, change, level;
 
     /* The mean of the maxima is the middle between the least and the greatest. */
-    for (gap = gap_first; gap <= gap_last; gap++) {                         /* rounds: 2 */
+    /*@ loop invariant gap_first <= gap <= gap_last + 1;
+        loop invariant gap > gap_first ==>
+                LEVEL_ZERO - 1 <= command_least <= command_most <= LEVEL_ZERO + 1 &&
+                LEVEL_ZERO <= change_least <= change_most <= LEVEL_ZERO + 1;
+        loop invariant gap == gap_first ==> command_least == LUT_LEVELS && command_most == 0 &&
+                change_least == LUT_LEVELS && change_most == 0;
+        loop assigns gap, closing, change, level, command_least, command_most, change_least,
+                change_most;
+        loop variant gap_last + 1 - gap; */
+    for (gap = gap_first; gap <= gap_last; gap++) { /* rounds: 2 */
+        /*@ loop invariant closing_first <= closing <= closing_last + 1;
+            loop invariant gap > gap_first || closing > closing_first ==>
+                    LEVEL_ZERO - 1 <= command_least <= command_most <= LEVEL_ZERO + 1 &&
+                    LEVEL_ZERO <= change_least <= change_most <= LEVEL_ZERO + 1;
+            loop invariant gap == gap_first && closing == closing_first ==>
+                    command_least == LUT_LEVELS && command_most == 0 &&
+                    change_least == LUT_LEVELS && change_most == 0;
+            loop assigns closing, change, level, command_least, command_most, change_least,
+                    change_most;
+            loop variant closing_last + 1 - closing; */
         for (closing = closing_first; closing <= closing_last; closing++) { /* rounds: 2 */
-            for (change = change_first; change <= change_last; change++) {  /* rounds: 2 */
+            /*@ loop invariant change_first <= change <= change_last + 1;
+                loop invariant gap > gap_first || closing > closing_first ||
+                        change > change_first ==>
+                        LEVEL_ZERO - 1 <= command_least <= command_most <= LEVEL_ZERO + 1 &&
+                        LEVEL_ZERO <= change_least <= change_most <= LEVEL_ZERO + 1;
+                loop invariant gap == gap_first && closing == closing_first &&
+                        change == change_first ==>
+                        command_least == LUT_LEVELS && command_most == 0 &&
+                        change_least == LUT_LEVELS && change_most == 0;
+                loop assigns change, level, command_least, command_most, change_least,
+                        change_most;
+                loop variant change_last + 1 - change; */
+            for (change = change_first; change <= change_last; change++) { /* rounds: 2 */
                 level = lut_at3(gap, closing, change);
+                /*@ assert tried: LEVEL_ZERO - 1 <= level <= LEVEL_ZERO + 1; */
                 if (level < command_least) {
                     command_least = level;
                 }
@@ -74,6 +114,7 @@ void follow_look_up(void)
                     command_most = level;
                 }
                 level = lut2_at3(gap, closing, change);
+                /*@ assert tried: LEVEL_ZERO <= level <= LEVEL_ZERO + 1; */
                 if (level < change_least) {
                     change_least = level;
                 }
@@ -105,6 +146,8 @@ static void set_outputs(void)
     }
 }
 
+/*@ assigns asked_x2, asked_lane;
+    ensures follow_remembers && asked_x2 == -2 && !asked_lane; */
 void follow_init(void)
 {
     follow.state = FOLLOW_WAITING;
@@ -120,8 +163,6 @@ void follow_init(void)
     set_outputs();
 }
 
-/*@ assigns follow.gap_mm, follow.own_mmps, follow.lead_mmps, follow.lane_is_taken,
-            follow.change_mm; */
 bool follow_read(void)
 {
     uint16_t gap_mm = frame_u16(0);
@@ -144,6 +185,12 @@ bool follow_read(void)
 
 #if FOLLOW_YIELDS
 /* Of what the last two frames ask for. */
+/*@ requires follow_remembers && -2 <= follow.command_x2 <= 2;
+    assigns follow.command_x2, follow.asks_for_lane, asked_x2, asked_lane;
+    ensures follow_remembers;
+    ensures follow.command_x2 == \min(\old(follow.command_x2), \old(asked_x2));
+    ensures follow.asks_for_lane <==> \old(follow.asks_for_lane) && \old(asked_lane);
+    ensures asked_x2 == \old(follow.command_x2) && asked_lane == \old(follow.asks_for_lane); */
 static void take_the_more_careful(void)
 {
     int8_t command_x2 = follow.command_x2;
@@ -160,6 +207,13 @@ static void take_the_more_careful(void)
 }
 #endif
 
+/*@ requires follow_remembers;
+    assigns asked_x2, asked_lane;
+    ensures follow_remembers;
+    ensures follow_two_frames: follow.command_x2 <= \old(asked_x2) && follow.command_x2 <= asked_x2;
+    ensures follow_two_frames: follow.asks_for_lane ==> \old(asked_lane) && asked_lane;
+    ensures follow_yields: follow.change_x2 != 0 && follow.lane_is_taken ==>
+                follow.brake_pct == 100; */
 void follow_decide(void)
 {
     follow.state = FOLLOW_CONTROL;
@@ -179,7 +233,10 @@ void follow_decide(void)
     set_outputs();
 }
 
-/*@ ensures follow_silence: follow.brake_pct >= fault_pct &&
+/*@ requires follow_remembers;
+    assigns asked_x2, asked_lane;
+    ensures follow_remembers && asked_x2 == -2 && !asked_lane;
+    ensures follow_silence: follow.brake_pct >= fault_pct &&
                 follow.brake_pct >= \old(follow.brake_pct) &&
                 follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
 void follow_lose(uint8_t fault_pct)

@@ -73,14 +73,18 @@ extern struct follow follow;
         FOLLOW_THROTTLE_CLOSED_US <= follow.throttle_us <= FOLLOW_THROTTLE_FULL_US; */
 
 /* Sets the state at start: WAITING, full brake, throttle closed. */
-/*@ ensures follow.state == FOLLOW_WAITING && follow.brake_pct == 100 && follow.stop;
-    ensures follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
+/*@ assigns follow.state, follow.change_mm, follow.stop, follow.command_x2, follow.change_x2,
+            follow.asks_for_lane, follow.brake_pct, follow.throttle_us;
+    ensures follow.state == FOLLOW_WAITING && follow.brake_pct == 100 && follow.stop;
+    ensures !follow.asks_for_lane && follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
 void follow_init(void);
 
 /* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if a value
  * is out of range: gap > FOLLOW_GAP_MAX_MM, a speed > FOLLOW_SPEED_MAX_MMPS, a lane not 0 or 1,
  * a change distance not in FOLLOW_CHANGE_MIN_MM..FOLLOW_CHANGE_MAX_MM. */
 /*@ requires follow_is_valid;
+    assigns follow.gap_mm, follow.own_mmps, follow.lead_mmps, follow.lane_is_taken,
+            follow.change_mm;
     ensures follow_is_valid;
     ensures !\result ==> follow == \old(follow); */
 bool follow_read(void);
@@ -94,6 +98,8 @@ void follow_look_up(void);
 /* Makes one control step with what was read. Call it only while the link is up, each 100 ms.
  * Together with follow_read less than 1,900 mc where three thresholds meet, and 1,100 elsewhere. */
 /*@ requires follow_is_valid;
+    assigns follow.state, follow.stop, follow.command_x2, follow.change_x2, follow.asks_for_lane,
+            follow.brake_pct, follow.throttle_us;
     ensures follow_is_valid;
     ensures follow.state == FOLLOW_CONTROL && !follow.stop;
     ensures follow.asks_for_lane ==> follow.change_x2 == 2;
@@ -103,6 +109,7 @@ void follow_decide(void);
 /* Makes one control step while the link is lost: FAULT, throttle closed, no lane is asked for. The
  * brake takes the larger of its last percent and fault_pct (0..100). */
 /*@ requires follow_is_valid && fault_pct <= 100;
+    assigns follow.state, follow.asks_for_lane, follow.brake_pct, follow.throttle_us;
     ensures follow_is_valid;
     ensures follow.state == FOLLOW_FAULT && !follow.asks_for_lane;
     ensures follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US;

@@ -97,7 +97,8 @@ uint16_t frame_bad_count(void);
     ensures \result == frame_body[at] * 256 + frame_body[at + 1]; */
 uint16_t frame_u16(uint8_t at);
 /*@ requires at + 2 < FRAME_BODY_MAX_BYTES;
-    assigns \nothing; */
+    assigns \nothing;
+    ensures tried: -8388608 <= \result <= 8388607; */
 int32_t frame_i24(uint8_t at);
 
 #endif

@@ -25,6 +25,9 @@
 
 __idata struct gap gap;
 
+/*@ assigns \nothing;
+    ensures \result == (gap.lead_cmps <= LEAD_STANDS_CMPS      ? GAP_LEAD_STANDS :
+                        gap.lead_cmps2 >= LEAD_BRAKES_CMPS2 ? GAP_LEAD_DRIVES : GAP_LEAD_BRAKES); */
 static uint8_t published_lead_state(void)
 {
     if (gap.lead_cmps <= LEAD_STANDS_CMPS) {
@@ -44,6 +47,12 @@ static uint8_t published_lead_state(void)
 static __idata uint8_t frames_other; /* in a row that say another lead state */
 
 /* The published state, once it is no noise. */
+/*@ requires gap.lead <= GAP_LEAD_BRAKES && frames_other < FRAMES_TO_DRIVES;
+    assigns frames_other;
+    ensures \result <= GAP_LEAD_BRAKES && frames_other < FRAMES_TO_DRIVES;
+    ensures \result != gap.lead && \result == GAP_LEAD_BRAKES && gap.lead != GAP_LEAD_STANDS &&
+                gap.lead_cmps2 >= LEAD_SURELY_CMPS2 ==>
+                \old(frames_other) + 1 >= FRAMES_TO_BRAKES; */
 static uint8_t lead_state(void)
 {
     uint8_t state = published_lead_state();
@@ -66,6 +75,9 @@ static uint8_t lead_state(void)
 #endif
 
 /* The speed that D and h depend on. */
+/*@ requires gap_is_valid;
+    assigns \nothing;
+    ensures \result <= gap.own_cmps; */
 static uint16_t speed_cmps(void)
 {
     if (gap.lead != GAP_LEAD_DRIVES) {
@@ -74,8 +86,14 @@ static uint16_t speed_cmps(void)
     return gap.own_cmps > gap.lead_cmps ? (uint16_t)(gap.own_cmps - gap.lead_cmps) : 0;
 }
 
-/* a * b / 1200, that is a * b / (2A), for products up to 25,000,000. The product by the reciprocal
- * of 1200 / 512 is at most one too small. Then the remainder, below 2,400, is 1200 or more. */
+/* a * b / 1200, that is a * b / (2A). The sum of a and b is at most 10,000, so the product is at
+ * most 25,000,000. The product by the reciprocal of 1200 / 512 is at most one too small. Then the
+ * remainder, below 2,400, is 1200 or more. */
+/*@ logic integer gap_over_2a(integer a, integer b) = a * b / 1200; */
+/*@ requires a + b <= 2 * GAP_SPEED_MAX_CMPS;
+    assigns \nothing;
+    ensures tried: \result == gap_over_2a(a, b);
+    ensures tried: \result <= 20833; */
 static uint16_t over_2a_cm(uint16_t a, uint16_t b)
 {
     uint32_t product = mul_u16(a, b);
@@ -93,6 +111,7 @@ uint16_t gap_safe_cm(void)
     uint16_t safe_cm = (uint16_t)(mul_hi_u16((uint16_t)(v_cmps * 9U), 52429U) >> 3); /* / 10 */
     uint16_t braking_cm;
 
+    /*@ assert safe_cm <= 4500; */
     if (gap.lead != GAP_LEAD_BRAKES) {
         return (uint16_t)(safe_cm + over_2a_cm(v_cmps, v_cmps) + STANDING_CM);
     }
@@ -109,12 +128,17 @@ uint16_t gap_safe_cm(void)
 
 /* product / divisor for a quotient below 65,536 and a divisor below 32,768: bit by bit, because a
  * table of reciprocals would be larger than this controller. */
+/*@ requires 0 < divisor < 32768;
+    assigns \nothing; */
 static uint16_t divided(uint32_t product, uint16_t divisor)
 {
     uint16_t rest = (uint16_t)(product >> 16);
     uint16_t bits = (uint16_t)product;
     uint8_t left = 16;
 
+    /*@ loop invariant 1 <= left <= 16;
+        loop assigns rest, bits, left;
+        loop variant left; */
     do {
         rest = (uint16_t)(rest << 1);
         if (bits & 0x8000U) {
@@ -130,11 +154,18 @@ static uint16_t divided(uint32_t product, uint16_t divisor)
 }
 
 /* 100 * diff_cmps / h_cs, where h_cs is at least 90 hundredths of a second: 5555 at most. */
+/*@ requires diff_cmps <= GAP_SPEED_MAX_CMPS && 90 <= h_cs <= 923;
+    assigns \nothing;
+    ensures tried: \result == 100 * diff_cmps / h_cs;
+    ensures tried: \result <= 5555; */
 static uint16_t over_h_cmps2(uint16_t diff_cmps, uint16_t h_cs)
 {
     return divided(mul_u16(diff_cmps, 100U), h_cs);
 }
 
+/*@ requires low <= high;
+    assigns \nothing;
+    ensures \result == \max(low, \min(value, high)); */
 static int16_t limited(int16_t value, int16_t low, int16_t high)
 {
     if (value < low) {
@@ -194,11 +225,15 @@ static __idata uint8_t frames_safe; /* in a row, in EMERGENCY */
 static __idata int16_t asked_cmps2; /* by the frame before */
 
 /* x * 0.35 s */
+/*@ assigns \nothing;
+    ensures \result == x * REACTION_Q8 / 256; */
 static uint16_t in_reaction(uint16_t x)
 {
     return (uint16_t)(mul_u16(x, REACTION_Q8) >> 8);
 }
 
+/*@ assigns \nothing;
+    ensures \result == \max(a - b, 0); */
 static uint16_t less(uint16_t a, uint16_t b)
 {
     return a > b ? (uint16_t)(a - b) : 0;
@@ -232,7 +267,17 @@ bool gap_is_too_late(uint16_t now_cmps2, uint16_t later_cmps2)
                       (uint16_t)(less(later_cmps2, lead_decel_cmps2) << 6));
 }
 
+/* Holds from gap_init on. */
+/*@ predicate gap_remembers =
+        frames_other < FRAMES_TO_DRIVES &&
+        (gap.state == GAP_EMERGENCY ==> frames_safe < SAFE_AGAIN_FRAMES) &&
+        -GAP_ACCEL_MAX_CMPS2 <= asked_cmps2 <= GAP_ACCEL_MAX_CMPS2; */
+
 /* How hard the car brakes: as its speed of the last 0.2 s says, but not more than demanded. */
+/*@ requires gap_is_valid;
+    assigns late_cmps;
+    ensures \result <= GAP_ACCEL_MAX_CMPS2;
+    ensures gap.accel_cmps2 >= 0 ==> \result == 0; */
 static uint16_t own_decel_cmps2(void)
 {
     uint16_t demanded_cmps2 = gap.accel_cmps2 < 0 ? (uint16_t)-gap.accel_cmps2 : 0;
@@ -252,6 +297,12 @@ static uint16_t own_decel_cmps2(void)
 }
 
 /* CONTROL or EMERGENCY. */
+/*@ requires gap_is_valid && gap_remembers;
+    assigns late_cmps, frames_safe;
+    ensures \result == GAP_CONTROL || \result == GAP_EMERGENCY;
+    ensures \result == GAP_EMERGENCY ==> frames_safe < SAFE_AGAIN_FRAMES;
+    ensures gap_two_frames: gap.state == GAP_EMERGENCY && \result == GAP_CONTROL &&
+                gap.gap_cm != GAP_MAX_CM ==> \old(frames_safe) + 1 >= SAFE_AGAIN_FRAMES; */
 static uint8_t safe_state(void)
 {
     uint16_t decel_cmps2 = own_decel_cmps2();
@@ -273,6 +324,12 @@ static uint8_t safe_state(void)
 
 /* The published law's acceleration, limited by the set speed and by what the frame before asked
  * for; full brake in EMERGENCY. */
+/*@ requires gap_is_valid && -GAP_ACCEL_MAX_CMPS2 <= law_cmps2 <= GAP_ACCEL_MAX_CMPS2;
+    requires -GAP_ACCEL_MAX_CMPS2 <= asked_cmps2 <= GAP_ACCEL_MAX_CMPS2;
+    assigns asked_cmps2;
+    ensures -GAP_ACCEL_MAX_CMPS2 <= asked_cmps2 <= GAP_ACCEL_MAX_CMPS2;
+    ensures \result == \min(\old(asked_cmps2), asked_cmps2);
+    ensures gap.state == GAP_EMERGENCY ==> asked_cmps2 == -GAP_ACCEL_MAX_CMPS2; */
 static int16_t safe_cmps2(int16_t law_cmps2)
 {
     int16_t cruise_cmps2 = limited((int16_t)((int16_t)gap.set_cmps - (int16_t)gap.own_cmps),
@@ -293,6 +350,12 @@ static int16_t safe_cmps2(int16_t law_cmps2)
 
 /* --- outputs and states ---------------------------------------------------------------------- */
 
+/*@ requires -GAP_ACCEL_MAX_CMPS2 <= gap.accel_cmps2 <= GAP_ACCEL_MAX_CMPS2;
+    assigns gap.brake_pct, gap.throttle_us;
+    ensures gap.accel_cmps2 < 0 ==> gap.brake_pct == (-gap.accel_cmps2 + 4) / 8 &&
+                gap.throttle_us == GAP_THROTTLE_CLOSED_US;
+    ensures gap.accel_cmps2 >= 0 ==> gap.brake_pct == 0 &&
+                gap.throttle_us == GAP_THROTTLE_CLOSED_US + gap.accel_cmps2 + gap.accel_cmps2 / 4; */
 static void set_outputs(void)
 {
     uint16_t size_cmps2;
@@ -308,6 +371,8 @@ static void set_outputs(void)
     }
 }
 
+/*@ assigns asked_cmps2, frames_other, frames_safe, late_cmps;
+    ensures gap_remembers; */
 void gap_init(void)
 {
     gap.state = GAP_WAITING;
@@ -324,7 +389,6 @@ void gap_init(void)
 #endif
 }
 
-/*@ assigns gap.gap_cm, gap.own_cmps, gap.lead_cmps, gap.lead_cmps2, gap.set_cmps; */
 bool gap_read(void)
 {
     int16_t lead_cmps2 = (int16_t)frame_u16(6);
@@ -342,6 +406,10 @@ bool gap_read(void)
     return true;
 }
 
+/*@ requires gap_remembers;
+    assigns asked_cmps2, frames_other, frames_safe, late_cmps;
+    ensures gap_remembers;
+    ensures gap_two_frames: gap.accel_cmps2 == \min(\old(asked_cmps2), asked_cmps2); */
 void gap_decide(void)
 {
     int16_t accel_cmps2;
@@ -374,7 +442,9 @@ void gap_decide(void)
     set_outputs();
 }
 
-/*@ assigns gap.state, gap.throttle_us, gap.brake_pct, gap.accel_cmps2, asked_cmps2, late_cmps;
+/*@ requires gap_remembers;
+    assigns asked_cmps2, late_cmps;
+    ensures gap_remembers;
     ensures gap_silence: gap.brake_pct >= fault_pct && gap.brake_pct >= \old(gap.brake_pct) &&
                 gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_lose(uint8_t fault_pct)

@@ -97,7 +97,8 @@ extern __idata struct gap gap;
         GAP_THROTTLE_CLOSED_US <= gap.throttle_us <= GAP_THROTTLE_FULL_US; */
 
 /* Sets the state at start: WAITING, full brake, throttle closed. */
-/*@ ensures gap.state == GAP_WAITING && gap.brake_pct == 100 && gap.stop;
+/*@ assigns gap.state, gap.stop, gap.brake_pct, gap.throttle_us, gap.accel_cmps2, gap.lead;
+    ensures gap.state == GAP_WAITING && gap.brake_pct == 100 && gap.stop;
     ensures gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_init(void);
 
@@ -105,6 +106,7 @@ void gap_init(void);
  * is out of range: gap_cm > GAP_MAX_CM, a speed > GAP_SPEED_MAX_CMPS, the lead's acceleration more
  * than GAP_LEAD_MAX_CMPS2 in either direction, or a set speed > GAP_SET_MAX. */
 /*@ requires gap_is_valid;
+    assigns gap.gap_cm, gap.own_cmps, gap.lead_cmps, gap.lead_cmps2, gap.set_cmps;
     ensures gap_is_valid;
     ensures !\result ==> gap == \old(gap); */
 bool gap_read(void);
@@ -112,15 +114,18 @@ bool gap_read(void);
 /* Makes one control step with what was read. Call it only while the link is up, each 50 ms. Less
  * than 8,000 mc together with gap_read and what frames.c does with a frame. */
 /*@ requires gap_is_valid;
+    assigns gap.state, gap.stop, gap.lead, gap.safe_cm, gap.accel_cmps2, gap.brake_pct,
+            gap.throttle_us;
     ensures gap_is_valid;
     ensures (gap.state == GAP_CONTROL || gap.state == GAP_EMERGENCY) && !gap.stop;
-    ensures gap.state == GAP_EMERGENCY ==> gap.brake_pct == 100;
+    ensures gap_emergency: gap.state == GAP_EMERGENCY ==> gap.brake_pct == 100;
     ensures gap.brake_pct == 0 || gap.throttle_us == GAP_THROTTLE_CLOSED_US; */
 void gap_decide(void);
 
 /* Makes one control step while the link is lost: FAULT, throttle closed. The brake takes the larger
  * of its last percent and fault_pct (0..100). */
 /*@ requires gap_is_valid && fault_pct <= 100;
+    assigns gap.state, gap.throttle_us, gap.brake_pct, gap.accel_cmps2;
     ensures gap_is_valid;
     ensures gap.state == GAP_FAULT && gap.throttle_us == GAP_THROTTLE_CLOSED_US;
     ensures gap.brake_pct == \max(\old(gap.brake_pct), fault_pct); */
@@ -130,7 +135,8 @@ void gap_lose(uint8_t fault_pct);
  * two need gap.safe_cm as well and return the LQ law and the table, each -800..800 cm/s2. */
 /*@ requires gap_is_valid;
     assigns \nothing;
-    ensures 500 <= \result <= 25833; */
+    ensures 500 <= \result;
+    ensures \result <= 25833; */
 uint16_t gap_safe_cm(void);
 /*@ requires gap_is_valid && 500 <= gap.safe_cm <= 25833;
     assigns \nothing;
@@ -142,8 +148,8 @@ int16_t gap_lq_cmps2(void);
 int16_t gap_fuzzy_cmps2(void);
 
 /* Returns whether the car comes too near to the lead if it brakes with now_cmps2 (0..800) for 0.35
- * s, and then with later_cmps2 (100..800). */
-/*@ requires gap_is_valid && now_cmps2 <= 800 && 100 <= later_cmps2 <= 800;
+ * s, and then with later_cmps2 (200..800). */
+/*@ requires gap_is_valid && now_cmps2 <= 800 && 200 <= later_cmps2 <= 800;
     assigns \nothing; */
 bool gap_is_too_late(uint16_t now_cmps2, uint16_t later_cmps2);
 

@@ -92,7 +92,7 @@ uint8_t lut_at(uint8_t row, uint8_t col)
 #if LUT_IS_NODES && LUT_INPUTS == 2
 /* The value at part_q8 / 256 of the way from `low` to `high`, rounded down. */
 /*@ assigns \nothing;
-    ensures \min(low, high) <= \result <= \max(low, high); */
+    ensures tried: \min(low, high) <= \result <= \max(low, high); */
 static uint8_t between(uint8_t low, uint8_t high, uint8_t part_q8)
 {
     if (high >= low) {
@@ -123,6 +123,10 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
         byte = (const uint8_t __code *)lut_out2 + (uint16_t)(offset - sizeof lut_out1);
     }
 #endif
+    /*@ loop invariant 1 <= count <= \at(count, Pre);
+        loop invariant byte == (uint8_t *)lut_out1 + offset + (\at(count, Pre) - count);
+        loop assigns high, low, byte, count;
+        loop variant count; */
     do {
         CRC16_ADD(high, low, *byte);
         byte++;

@@ -10,18 +10,27 @@
 #include "crc16.h"
 #include "lut_table.h"
 
+/* What an index counts: the cells of an input, or its nodes, which are one more. */
+#if LUT_IS_NODES
+#define LUT_IN1_VALUES LUT_IN1_NODES
+#define LUT_IN2_VALUES LUT_IN2_NODES
+#else
+#define LUT_IN1_VALUES LUT_IN1_CELLS
+#define LUT_IN2_VALUES LUT_IN2_CELLS
+#endif
+
 #if LUT_INPUTS == 3
 
 /* A table of three inputs: returns the cell of output 1 or of output 2 at the indices of inputs 1,
  * 2 and 3. 60 mc. */
 /*@ requires first < LUT_IN1_CELLS && second < LUT_IN2_CELLS && third < LUT_IN3_CELLS;
     assigns \nothing;
-    ensures \result <= LUT_LEVELS; */
+    ensures tried: \result <= LUT_LEVELS; */
 uint8_t lut_at3(uint8_t first, uint8_t second, uint8_t third);
 #if LUT_OUTPUTS == 2
 /*@ requires first < LUT_IN1_CELLS && second < LUT_IN2_CELLS && third < LUT_IN3_CELLS;
     assigns \nothing;
-    ensures \result <= LUT_LEVELS; */
+    ensures tried: \result <= LUT_LEVELS; */
 uint8_t lut2_at3(uint8_t first, uint8_t second, uint8_t third);
 #endif
 
@@ -30,17 +39,17 @@ uint8_t lut2_at3(uint8_t first, uint8_t second, uint8_t third);
 /* A table of two inputs: returns the cell in the row of input 1 and the column of input 2. Plain:
  * 24 mc, 25 with 256 columns. Packed: 110 mc for every cell within one, 117 where a table has more
  * than 256 blocks. */
-/*@ requires row < LUT_IN1_CELLS && col < LUT_IN2_CELLS;
+/*@ requires row < LUT_IN1_VALUES && col < LUT_IN2_VALUES;
     assigns \nothing;
-    ensures \result <= LUT_LEVELS; */
+    ensures tried: \result <= LUT_LEVELS; */
 uint8_t lut_at(uint8_t row, uint8_t col);
 
 #else
 
 /* A table of one input: returns its cell `row`; `col` is not used, give 0. */
-/*@ requires row < LUT_IN1_CELLS;
+/*@ requires row < LUT_IN1_VALUES;
     assigns \nothing;
-    ensures \result <= LUT_LEVELS; */
+    ensures tried: \result <= LUT_LEVELS; */
 uint8_t lut_at(uint8_t row, uint8_t col);
 
 #endif

@@ -26,11 +26,18 @@ void cordic_to_polar(int16_t across, int16_t along)
     uint8_t step;
 
     /* Enlarge a near point first, or its steps would get lost below the last bit. */
+    /*@ loop invariant enlarged <= ENLARGED_MAX && 0 <= x <= CORDIC_ALONG_MAX;
+        loop invariant 0 <= y <= CORDIC_ACROSS_MAX;
+        loop assigns x, y, enlarged;
+        loop variant ENLARGED_MAX - enlarged; */
     while (enlarged < ENLARGED_MAX && x < HALF_ALONG && y < HALF_ACROSS) { /* rounds: 4 */
         x = (uint16_t)(x << 1);
         y = (int16_t)(y << 1);
         enlarged++;
     }
+    /*@ loop invariant step <= STEPS;
+        loop assigns step, x, y, angle;
+        loop variant STEPS - step; */
     for (step = 0; step < STEPS; step++) {       /* rounds: 13 */
         uint16_t x_part = (uint16_t)(x >> step); /* rounds: 12 */
 

@@ -25,6 +25,7 @@ __idata struct park park;
 /* The check of the start has ended well. As published there is none. */
 static bool is_checked;
 
+/*@ assigns is_checked; */
 void park_init(void)
 {
 #ifdef PARK_AS_PUBLISHED
@@ -51,6 +52,7 @@ static int16_t limited(int32_t theta)
     return (int16_t)theta;
 }
 
+/* w(D) of the table; beyond its ends its first or last cell. */
 /*@ assigns \nothing; */
 static uint8_t weight_at(uint16_t dist_mm)
 {
@@ -85,7 +87,7 @@ static int16_t blended(int16_t far_law, int16_t near_law, uint8_t weight)
     return more < 0 ? near_law - part : near_law + part;
 }
 
-/*@ assigns park.dist_mm, park.weight, park.theta_far, park.theta_near, park.theta, cordic_polar; */
+/*@ assigns cordic_polar; */
 void park_steer(void)
 {
     int16_t delta = (int16_t)(park.heading - QUARTER_TURN);
@@ -105,7 +107,6 @@ void park_steer(void)
     park.theta = blended(park.theta_far, park.theta_near, park.weight);
 }
 
-/*@ assigns park.x, park.y, park.heading; */
 bool park_read(void)
 {
     int16_t x = (int16_t)frame_u16(0);
@@ -122,8 +123,11 @@ bool park_read(void)
 
 /* The next step of the check. */
 /*@ requires park_is_valid && (park.state == PARK_CHECKING ==> plan_is_valid);
+    assigns park.state, park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
+            park.theta_near, park.theta, x, y, heading, steps_left, cordic_polar, is_checked;
     ensures park_is_valid && (park.state == PARK_CHECKING ==> plan_is_valid);
-    ensures park.y == \old(park.y);
+    ensures park.x == \old(park.x) && park.y == \old(park.y) &&
+                park.heading == \old(park.heading);
     ensures park.state == PARK_CHECKING || park.state == PARK_DEAD_ZONE; */
 static void check(void)
 {
@@ -143,6 +147,7 @@ static void check(void)
 }
 
 /*@ requires park.state == PARK_CHECKING ==> plan_is_valid;
+    assigns x, y, heading, steps_left, cordic_polar, is_checked;
     ensures park.state == PARK_CHECKING ==> plan_is_valid; */
 void park_decide(void)
 {

@@ -66,12 +66,14 @@ extern __idata struct park park;
         1000 <= park.servo_us <= 2000 && park.state <= PARK_FAULT; */
 
 /* Sets the state at start: the car stands, the wheels are straight. */
-/*@ ensures park.state == PARK_WAITING && park.servo_us == PARK_SERVO_MID_US; */
+/*@ assigns park.theta, park.servo_us, park.state;
+    ensures park.state == PARK_WAITING && park.servo_us == PARK_SERVO_MID_US && park.theta == 0; */
 void park_init(void);
 
 /* Steers: sets dist_mm, weight and the three thetas from x, y and heading. y must be 0 or positive.
  * About 3,500 mc. */
 /*@ requires park_is_valid && park.y >= 0;
+    assigns park.dist_mm, park.weight, park.theta_far, park.theta_near, park.theta;
     ensures park_is_valid; */
 void park_steer(void);
 
@@ -79,12 +81,16 @@ void park_steer(void);
  * is out of range: X not in -PARK_X_MAX_512..PARK_X_MAX_512, or Y not in
  * PARK_Y_MIN_512..PARK_Y_MAX_512. */
 /*@ requires park_is_valid;
+    assigns park.x, park.y, park.heading;
     ensures park_is_valid;
     ensures !\result ==> park == \old(park); */
 bool park_read(void);
 
 /* Makes one control step with what was read. Call it only while the link is up. */
 /*@ requires park_is_valid;
+    assigns park.state, park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
+            park.theta_near, park.theta, park.servo_us;
+    ensures park.x == \old(park.x) && park.y == \old(park.y) && park.heading == \old(park.heading);
     ensures park_is_valid;
     ensures park.state != PARK_WAITING && park.state != PARK_FAULT;
     ensures lasts: \old(park.state) == PARK_ARRIVED || \old(park.state) == PARK_DEAD_ZONE ==>

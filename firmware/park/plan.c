@@ -163,8 +163,7 @@ void plan_begin(void)
 }
 
 /*@ requires plan_is_valid;
-    assigns park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
-            park.theta_near, park.theta, x, y, heading, steps_left, cordic_polar;
+    assigns x, y, heading, steps_left, cordic_polar;
     ensures \result != PLAN_DEAD_ZONE ==> plan_is_valid; */
 uint8_t plan_step(void)
 {

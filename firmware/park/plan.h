@@ -38,12 +38,15 @@ enum plan_result {
 int16_t plan_sine_q15(uint16_t angle_turn16);
 
 /* Begins at the place where the car is, which is in `park`. */
-/*@ requires park_is_valid; */
+/*@ requires park_is_valid;
+    assigns \nothing; */
 void plan_begin(void);
 
 /* Drives one step. Leaves the place in `park` as it was, but not the distance and the angles. After
  * another result than PLAN_GOES_ON call plan_begin again first. About 5,000 mc. */
 /*@ requires park_is_valid;
+    assigns park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
+            park.theta_near, park.theta;
     ensures park_is_valid;
     ensures park.x == \old(park.x) && park.y == \old(park.y) &&
             park.heading == \old(park.heading) && park.state == \old(park.state) &&

@@ -31,6 +31,12 @@ uint16_t fmcw_range_cm(int32_t up_hz, int32_t down_hz)
     return mul_hi_u16((uint16_t)(sum_hz >> RANGE_SHIFT), RANGE_Q16);
 }
 
+/* The closing speed's magnitude. */
+/*@ requires diff_hz < FMCW_DIFF_END_HZ;
+    assigns \nothing;
+    ensures \result == (diff_hz / 2 * SPEED_Q19 / 65536 + 4) / 8;
+    ensures \result <= 4593;
+    ensures diff_hz == 0 ==> \result == 0; */
 static uint16_t dkmh_from_hz(uint32_t diff_hz)
 {
     return (uint16_t)((mul_hi_u16((uint16_t)(diff_hz >> SPEED_SHIFT), SPEED_Q19) + 4) >> 3);

@@ -56,7 +56,8 @@ int16_t fmcw_closing_dkmh(int32_t up_hz, int32_t down_hz);
  * backwards. Such a pair has two meanings and must be refused. Both beats must be 0 or positive. */
 /*@ requires fmcw_are_beats(up_hz, down_hz) && fmcw_is_possible(up_hz, down_hz);
     requires up_hz >= 0 && down_hz >= 0 && own_dkmh <= 2500;
-    assigns \nothing; */
+    assigns \nothing;
+    ensures up_hz >= down_hz || up_hz + down_hz >= FMCW_DIFF_END_HZ ==> !\result; */
 bool fmcw_sign_is_open(int32_t up_hz, int32_t down_hz, uint16_t own_dkmh);
 
 #endif

@@ -35,8 +35,7 @@ static __idata bool is_approach;
         asked_pct <= BRAKE_FULL_PCT && (radar.state == RADAR_BRAKING ==> is_approach) &&
         (radar.state <= RADAR_HOLDING ==> radar.brake_pct == 0); */
 
-/*@ assigns radar.flags, radar.brake_pct, radar.state, frames_less, frames_closing, asked_pct,
-            is_approach;
+/*@ assigns frames_less, frames_closing, asked_pct, is_approach;
     ensures radar_counts; */
 void radar_init(void)
 {
@@ -158,8 +157,7 @@ static uint8_t wanted_state(void)
 }
 
 /*@ requires radar_counts;
-    assigns radar.safe_cm, radar.row, radar.col, radar.level, radar.brake_pct, radar.state,
-            frames_less, frames_closing, asked_pct, is_approach;
+    assigns frames_less, frames_closing, asked_pct, is_approach;
     ensures radar_counts;
     ensures radar_holds: \old(radar.state) == RADAR_BRAKING && radar.state < RADAR_BRAKING ==>
                 (radar.closing_dkmh <= 0 && \old(frames_less) + 1 >= FRAMES_LESS) ||
@@ -204,7 +202,7 @@ void radar_decide(void)
 }
 
 /*@ requires radar_counts;
-    assigns radar.state, radar.brake_pct, is_approach, frames_less, frames_closing, asked_pct;
+    assigns is_approach, frames_less, frames_closing, asked_pct;
     ensures radar_counts;
     ensures radar_silence: radar.state == RADAR_FAULT && radar.brake_pct >= fault_pct &&
                 radar.brake_pct >= \old(radar.brake_pct); */

@@ -87,7 +87,8 @@ extern __idata struct radar radar;
         -8192 <= radar.azimuth <= 8192 && radar.curvature_upm > -32768; */
 
 /* Sets the state at start: no target, the driver has control. */
-/*@ ensures radar.state == RADAR_DRIVER && radar.brake_pct == 0 && radar.flags == 0; */
+/*@ assigns radar.flags, radar.brake_pct, radar.state;
+    ensures radar.state == RADAR_DRIVER && radar.brake_pct == 0 && radar.flags == 0; */
 void radar_init(void);
 
 /* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if
@@ -96,12 +97,15 @@ void radar_init(void);
  *     a front end without sign sends a negative beat or one with two meanings (fmcw_sign_is_open).
  */
 /*@ requires radar_is_valid;
+    assigns radar.range_cm, radar.closing_dkmh, radar.own_dkmh, radar.azimuth, radar.curvature_upm,
+            radar.flags;
     ensures radar_is_valid;
     ensures !\result ==> radar == \old(radar); */
 bool radar_read(void);
 
 /* Makes one control step with what was read. Call it only while the link is up. */
 /*@ requires radar_is_valid;
+    assigns radar.safe_cm, radar.row, radar.col, radar.level, radar.brake_pct, radar.state;
     ensures radar_is_valid;
     ensures radar.state <= RADAR_HOLDING ==> radar.brake_pct == 0; */
 void radar_decide(void);
@@ -109,6 +113,7 @@ void radar_decide(void);
 /* Makes one control step while the link is lost: FAULT. The brake takes the larger of its last
  * percent and fault_pct (0..100). */
 /*@ requires radar_is_valid && fault_pct <= 100;
+    assigns radar.state, radar.brake_pct;
     ensures radar_is_valid;
     ensures radar.state == RADAR_FAULT;
     ensures radar.brake_pct == \max(\old(radar.brake_pct), fault_pct); */

@@ -10,7 +10,7 @@
 
 #define SAFE_SPEED_MAX_DKMH 2500U
 
-/* Returns S_F in cm, right to 2 cm, limited to 65535. own_dkmh is the own speed in tenths of a
+/* Returns S_F in cm, right to 2.1 cm, limited to 65535. own_dkmh is the own speed in tenths of a
  * km/h, 0..SAFE_SPEED_MAX_DKMH. */
 /*@ requires own_dkmh <= SAFE_SPEED_MAX_DKMH;
     assigns \nothing;

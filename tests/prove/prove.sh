@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Proves the firmware with Frama-C, `make prove`:
 #     tests/prove/prove.sh [UNIT...]        names of tests/prove/UNIT.c without .c; none: all of them
-# A unit wp_NAME.c is proved by WP: each function keeps its contract, and no step of it is undefined in C. A unit
-# eva_NAME.c is analysed by Eva: from start, for ever, whatever the machine delivers, no step is undefined. tried.c
-# tries all values. Prints a line for each unit and for each theorem of it, that is a clause whose label its
-# first comment explains as "theorem LABEL: words". Exits with 1 if anything is open.
-# int has 16 bits, as with SDCC for the 8051.
+# The kinds of unit:
+#     wp_NAME     WP proves that each function keeps its contract, and that no step of it is undefined in C
+#     eva_NAME    Eva analyses from start, for ever, whatever the machine delivers: no step is undefined
+#     tried_NAME  the program tries all values
+#     sizes       SDCC and Frama-C agree on the machine
+# Prints a line for each unit and for each theorem of it, that is a clause whose label its first comment explains as
+# "theorem LABEL: words". Exits with 1 if anything is open.
 #
 # For test_prove.sh: FUNCTIONS are the only ones of the unit to prove. TIMEOUT is the time that a prover has for one
 # goal, in seconds.
@@ -16,18 +18,47 @@ out=build/prove
 mkdir -p "$out"
 why3 config list-provers 2>/dev/null | grep -q Z3 || why3 config detect >"$out/why3.log" 2>&1
 
-# Frama-C with the headers of the unit's controller and its table, which make has written to build/prove. A unit
-# says "controller: NAME" and "table: NAME" if they are not what its own name says.
+# What a line of the unit's first comment says, such as "controller: brake".
+said() { # UNIT KEY
+    sed -n "s/^[/ ]\\*\\{1,2\\} $2: \\(.*\\)/\\1/p" "tests/prove/$1.c" | sed 's: *\*/$::' | head -n 1
+}
+
+# The headers of the unit's controller and its table, which make has written to build/prove. A unit says
+# "controller: NAME" and "table: NAME" if they are not what its own name says.
+flags() { # UNIT
+    local controller table
+    controller=$(said "$1" controller)
+    controller=${controller:-${1#*_}}
+    table=$(said "$1" table)
+    echo "-Itests/prove -I$out/${table:-$controller} -Ifirmware -Ifirmware/lib -Ifirmware/frames -Ifirmware/mcu" \
+        "-Ifirmware/$controller -DFAULT_PCT=60 -DCLK_HZ=12000000UL"
+}
+
+# Frama-C. A function without contract and without code would be taken for one that does nothing.
 run() { # UNIT OPTION...
-    local unit=$1 folder table
+    local unit=$1
     shift
-    folder=$(sed -n 's/^[/ ]\*\{1,2\} controller: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
-    folder=${folder:-${unit#*_}}
-    table=$(sed -n 's/^[/ ]\*\{1,2\} table: \([a-z]*\).*/\1/p' "tests/prove/$unit.c")
-    # A function without contract and without code would be taken for one that does nothing.
-    frama-c -machdep x86_16 -kernel-warn-key annot:missing-spec=abort -cpp-extra-args="-Itests/prove -I$out/${table:-$folder} -Ifirmware -Ifirmware/lib \
-        -Ifirmware/frames -Ifirmware/mcu -Ifirmware/$folder -DFAULT_PCT=60 -DCLK_HZ=12000000UL -I$(frama-c -print-share-path)/libc" \
-        "$@" "tests/prove/$unit.c" >"$out/$unit.log" 2>&1
+    frama-c -load-module "$out/mcs51.cmxs" -machdep mcs51 -kernel-warn-key annot:missing-spec=abort \
+        -cpp-extra-args="-D__FC_MACHDEP_X86_16 $(flags "$unit") -I$(frama-c -print-share-path)/libc" \
+        "$@" >"$out/$unit.log" 2>&1
+}
+
+# The functions that have their code in the unit's files: a line "FILE LINE NAME" for each. By the host's compiler.
+functions_of() { # UNIT
+    # shellcheck disable=SC2046  # the flags are words
+    gcc -fsyntax-only -w -aux-info "$out/$1.aux" $(flags "$1") "tests/prove/$1.c" &&
+        sed -nE 's;^/\* ([^:]*):([0-9]*):NF \*/ [^(]*[ *]([a-z_0-9]+) \(.*;\1 \2 \3;p' "$out/$1.aux"
+}
+
+# Those that the unit proves: of the files that it says in a line "proves: FILE...", or of all that it includes;
+# with the headers of the same names.
+proved_by() { # UNIT
+    functions_of "$1" | awk -v files="$(said "$1" proves)" '
+        function stem(path) { sub(/.*\//, "", path); sub(/\.[ch]$/, "", path); return path }
+        BEGIN { count = split(files, list, " "); for (i = 1; i <= count; i++) wanted[stem(list[i])] }
+        files == "" && $1 ~ /\.c$/ { wanted[stem($1)] }
+        { from[$3] = stem($1) }
+        END { for (name in from) if (from[name] in wanted) print name }' | sort | paste -sd,
 }
 
 # The goals of a log that no prover could prove.
@@ -36,10 +67,8 @@ open_goals() { # LOG
 }
 
 by_wp() { # UNIT
-    local unit=$1 label words goals proved functions status=0
-    # A unit that says "functions: NAMES" is proved for these functions only.
-    functions=${FUNCTIONS:-$(sed -n 's/^[/ ]\*\{1,2\} functions: \([a-z0-9_,]*\).*/\1/p' "tests/prove/$unit.c")}
-    if ! run "$unit" -wp ${functions:+"-wp-fct=$functions"} -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-60}" -wp-par 1; then
+    local unit=$1 label words goals proved status=0
+    if ! run "$unit" "tests/prove/$unit.c" -wp -wp-fct="${FUNCTIONS:-$(proved_by "$unit")}" -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-60}" -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" -then -report-csv "$out/$unit.csv"; then
         echo "$unit: frama-c failed; see $out/$unit.log"
         return 2
     fi
@@ -60,7 +89,7 @@ by_wp() { # UNIT
 
 by_eva() { # UNIT
     local unit=$1 alarms open
-    if ! run "$unit" -eva -eva-precision 2 -main main; then
+    if ! run "$unit" "tests/prove/$unit.c" -eva -eva-precision 2 -main main; then
         echo "$unit: frama-c failed; see $out/$unit.log"
         return 2
     fi
@@ -70,24 +99,39 @@ by_eva() { # UNIT
     [ "$open" -eq 0 ] && [ "${alarms:-none}" = 0 ]
 }
 
+# SDCC and Frama-C take sizes.c: it is an error for whoever disagrees with a line.
+by_both() {
+    if ! { sdcc -mmcs51 --std-c11 -Ifirmware/lib -c tests/prove/sizes.c -o "$out/sizes.rel" >"$out/sizes.log" 2>&1 &&
+        run sizes tests/prove/sizes.c; }; then
+        echo "sizes: SDCC and mcs51.ml do not agree; see $out/sizes.log"
+        return 1
+    fi
+    echo "sizes: SDCC and mcs51.ml agree on each size and conversion"
+}
+
+by_trying() { # UNIT
+    # shellcheck disable=SC2046  # the flags are words
+    gcc -O3 -std=c11 -Wall -Wextra -Werror $(flags "$1") "tests/prove/$1.c" -lm -o "$out/$1" && "$out/$1"
+}
+
 if [ $# -eq 1 ]; then
+    [ -f "tests/prove/$1.c" ] || {
+        echo "prove.sh: error: no unit '$1'; the units are the C files of tests/prove" >&2
+        exit 2
+    }
     case $1 in
     wp_*) by_wp "$1" ;;
     eva_*) by_eva "$1" ;;
-    tried) "$out/tried" ;;
+    tried_*) by_trying "$1" ;;
+    sizes) by_both ;;
     esac
     exit
 fi
 
 # All that are asked for, two at a time.
-[ $# -gt 0 ] || mapfile -t all < <(find tests/prove -name 'wp_*.c' -o -name 'eva_*.c' -o -name 'tried.c' | sort -r)
+[ $# -gt 0 ] || mapfile -t all < <(find tests/prove -name 'wp_*.c' -o -name 'eva_*.c' -o -name 'tried_*.c' -o -name sizes.c | sort -r)
 for unit in "${@:-${all[@]}}"; do
-    unit=$(basename -s .c "$unit")
-    [ -f "tests/prove/$unit.c" ] || {
-        echo "prove.sh: error: no unit '$unit'; the units are the C files of tests/prove" >&2
-        exit 2
-    }
-    echo "$unit"
+    basename -s .c "$unit"
 done >"$out/units"
 # shellcheck disable=SC2016  # the inner shell expands it
 xargs -P 2 -I UNIT bash -c '"$0" "$1" >"$2/$1.txt" 2>&1; status=$?; cat "$2/$1.txt"; [ $status -eq 0 ]' "$PWD/tests/prove/prove.sh" UNIT "$out" <"$out/units" || exit 1

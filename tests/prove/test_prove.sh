@@ -13,6 +13,7 @@ copy() { # NAME
     mkdir -p "$top/$1/tests" "$top/$1/build/prove"
     cp -r firmware "$top/$1/"
     cp -r tests/prove "$top/$1/tests/"
+    cp build/prove/mcs51.cmxs "$top/$1/build/prove/"
     for table in build/prove/*/lut_table.h; do
         mkdir -p "$top/$1/$(dirname "$table")"
         cp "$table" "$top/$1/$table"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* functions: fault_init,fault_take,fault_tick,fault_fail,latch_init,far_column,column_of,latch_take,latch_override,warning_init,warning_take,settle,raise,demand_fault,brake_init,brake_fail,brake_must_stop,demand,demand_nothing,demand_for_target,find_trouble,brake_expect,brake_step,is_urgent,brake_finish,brake_tick,begin,fail,expect,read,tick,count
+/* proves: fault.c latch.c warning.c brake.c wp_brake.c
  *
  * The brake's decision, its state machines and what may happen to them in any order: begin, then expect, read, tick
  * and fail for ever. The variables below count what has happened so far. `counted` says how the state of the

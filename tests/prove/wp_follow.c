@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* functions: set_outputs,follow_init,follow_read,follow_lose
+/* proves: follow.c
  *
- * The follower's frames and its fault.
+ * The follower's decision, from any state that can be.
  *
  * theorem follow_silence: while the link is lost the throttle is closed, and the brake never falls and is FAULT_PCT or more
+ * theorem follow_two_frames: a single frame never releases the brake, opens the throttle or asks for a lane
+ * theorem follow_yields: who wants to change lanes brakes fully while the next lane is taken
  */
 #include "bits.h"
 #include "follow.c"

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* functions: gap_read,gap_lose
+/* proves: gap.c
  *
- * The gap controller's frames and its fault.
+ * The gap controller's decision, from any state that can be.
  *
  * theorem gap_silence: while the link is lost the throttle is closed, and the brake never falls and is FAULT_PCT or more
+ * theorem gap_emergency: EMERGENCY brakes fully, with the throttle closed
+ * theorem gap_two_frames: a single frame never releases the brake, opens the throttle or ends EMERGENCY
  */
 #include "bits.h"
+#include "fixed.h"
 #include "gap.c"

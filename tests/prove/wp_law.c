@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
- * functions: law_restart,law_step,law_pct
+ * proves: law_fuzzy.c
  *
  * The published law.
  *

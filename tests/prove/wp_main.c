@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
- * functions: apply,report,sum_up,seal,begin_anew,control_step,conclude,poll,measure,finish_selftest,test,show,advance_clock,listen,title,status,answer,talk,main
+ * proves: main.c
  *
  * The brake's main loop, from reset on, whatever the machine delivers.
  *

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* functions: park_init,limited,weight_at,blended,park_steer,park_read,park_decide,park_lose,park_must_stand,check,plan_sine_q15,part,tangent,swap,of_step,move,is_in_place,plan_begin,plan_step
+/* proves: cordic.c plan.c park.c
  *
- * The parking decision: each function keeps its contract.
+ * The parking decision, from any state that can be.
  */
 #include "bits.h"
+#include "fixed.h"
+#include "cordic.c"
 #include "plan.c"
 #include "park.c"

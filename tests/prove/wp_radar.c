@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* functions: radar_init,wanted_state,is_sure,brake,radar_decide,radar_lose,radar_cuts_throttle
+/* proves: fmcw.c lane.c safe.c radar.c
  *
- * The radar's decision. Range, speed, lane and safe distance are anything that their headers allow.
+ * The radar: beats, lane, safe distance and decision, each function from any state that can be.
  *
  * theorem radar_holds: it does not let go of a target in the lane before V_R <= 0, and never at the first frame that asks for less
  * theorem radar_silence: while the link is lost the brake never falls, and is FAULT_PCT or more
  */
 #include "bits.h"
+#include "fixed.h"
+#include "frame.h"
+#include "fmcw.c"
+#include "lane.c"
+#include "safe.c"
 #include "radar.c"

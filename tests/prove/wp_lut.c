@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: MIT */
+/* controller: gap
+ * proves: lut.c
+ *
+ * Look-up between the nodes of a table, and its check sum. */
+#include "bits.h"
+#include "fixed.h"
+#include "lut.c"
