@@ -27,7 +27,7 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
 # Slow tests: in s51 what the fast engine runs in `test`, drives with their outcomes compared, those of minutes
 # on one board; every drive of the brake with the other estimator; the long run of chip against host.
 ENGINE_TESTS := $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
-LONG_SUITES  := $(LONG_TESTS) 'MCS52_STATES=10000 build/tests/tools/test_mcs52_s51' \
+LONG_SUITES  := $(LONG_TESTS) \
     $(ENGINE_TESTS:%='ENGINE=s51 %') $(CHIP_TESTS:%='ENGINE=s51 tests/run_chip.sh %') \
     $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
     $(if $(ON_DEFAULT),$(patsubst %,'tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%',$(OTHER_LOOPS) long)) \
