@@ -406,6 +406,18 @@ bool gap_read(void)
     return true;
 }
 
+/* Both laws; in the images that compare them, the same one twice. */
+#ifdef GAP_FUZZY_ALONE
+#define ONE_LAW_CMPS2 gap_fuzzy_cmps2
+#else
+#define ONE_LAW_CMPS2 gap_lq_cmps2
+#endif
+#ifdef GAP_LQ_ALONE
+#define OTHER_LAW_CMPS2 gap_lq_cmps2
+#else
+#define OTHER_LAW_CMPS2 gap_fuzzy_cmps2
+#endif
+
 /*@ requires gap_remembers;
     assigns asked_cmps2, frames_other, frames_safe, late_cmps;
     ensures gap_remembers;
@@ -424,7 +436,7 @@ void gap_decide(void)
     gap.safe_cm = gap_safe_cm();
     accel_cmps2 = 0;
     if (gap.gap_cm != GAP_MAX_CM) {
-        accel_cmps2 = (int16_t)(gap_lq_cmps2() + gap_fuzzy_cmps2());
+        accel_cmps2 = (int16_t)(ONE_LAW_CMPS2() + OTHER_LAW_CMPS2());
     }
     /* The mean of both laws, rounded towards 0. */
     if (accel_cmps2 < 0) {

@@ -12,7 +12,8 @@
  *     u_fuzzy = table(0.2 (gap - D), 0.04 (lead - v))
  *     u       = (u_LQ + u_fuzzy) / 2
  *
- * The image gap_paper (GAP_AS_PUBLISHED) is this law alone. The other one adds:
+ * The image gap_paper (GAP_AS_PUBLISHED) is this law alone; gap_fuzzy and gap_lq have only one half
+ * of it, u = u_fuzzy (GAP_FUZZY_ALONE) or u = u_LQ (GAP_LQ_ALONE). The image gap adds:
  *
  *     set speed    u is at most (set - v) / 1 s, which itself is at least -2 m/s2; with no car
  *                  ahead u is that, at most 2 m/s2
