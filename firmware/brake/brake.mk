@@ -4,14 +4,14 @@
 # with main first, as SDCC's manual asks. Each carries a table, so that all start alike.
 IMAGES_OF_brake := brake tuned classic first none
 
-BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning closing range) mcu/echo mcu/uart mcu/registers
+BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning closing range) mcu/echo mcu/uart mcu/registers mcu/code
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.
 BRAKE_SMALLER := GRID=80x80, LEVELS=50 or REPAIR=-1,+2 makes the table smaller
 # What the make line can change: FAULT_PCT beside these. The image without a controller has no STOP.
 BRAKE_KNOBS   := $(STOP_MM:%=-DBRAKE_STOP_MM=%U) $(RELEASE_MM:%=-DLATCH_NEAR_MM=%U) $(if $(STEP_MS),-DRANGE_PERIOD_MS=$(STEP_MS)U)
 # The functions whose worst time build/BOARD/APP.bound states.
-BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_registers_restore brake_sum hal_stack_is_good apply show
+BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_registers_restore brake_sum hal_code_is_good hal_stack_is_good apply show
 
 brake_TABLE   := $(TABLE)
 brake_FISTAB   = $(BRAKE_FISTAB)

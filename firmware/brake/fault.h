@@ -28,7 +28,7 @@ enum brake_fault {
     BRAKE_FAULT_STUCK,      /* the same reading while the target moves */
     BRAKE_FAULT_LOST,       /* a near target vanished */
     BRAKE_FAULT_WATCHDOG,   /* this start was a watchdog reset */
-    BRAKE_FAULT_TABLE,      /* self-test: check sum of the table */
+    BRAKE_FAULT_TABLE,      /* self-test: check sum of the table, or of all code */
     BRAKE_FAULT_RAM,        /* self-test: pattern in RAM */
     BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
     BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */

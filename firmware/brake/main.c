@@ -156,6 +156,15 @@ static void begin_anew(void)
     seal();
 }
 
+/*@ requires main_is_valid && phase != PHASE_TEST;
+    ensures main_is_valid && phase == \old(phase); */
+static void check(void)
+{
+    if (sum_up() != sealed || (uint8_t)(hal_ticks() - tick) > TICKS_LATE) {
+        begin_anew();
+    }
+}
+
 /* A measurement is over: the brake first, all else after it. */
 /*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_ECHO_DONE;
     ensures main_is_valid && phase == \old(phase); */
@@ -364,8 +373,12 @@ void main(void)
         hal_registers_restore();
         if (phase == PHASE_TEST) {
             test();
-        } else if (sum_up() != sealed || (uint8_t)(hal_ticks() - tick) > TICKS_LATE) {
-            begin_anew();
+        } else {
+            check();
+            if (!hal_code_is_good()) {
+                brake_fail(BRAKE_FAULT_TABLE);
+                seal();
+            }
         }
         poll();
         talk();

@@ -63,7 +63,10 @@ uint8_t hal_reset_cause(void); /* enum hal_reset */
 /* Self-test. */
 bool hal_ram_is_good(void);     /* whether each byte of RAM kept its test patterns at start */
 uint8_t hal_stack_unused(void); /* bytes of stack that were never used; 0: overflow; 2,000 mc */
-bool hal_stack_is_good(void);   /* whether the last byte of the stack was never used */
+/* Sums up 8 more bytes of the code. False at the end of a pass over all code that gives another
+ * sum than the first one. Each round of the main loop. 153 mc. */
+bool hal_code_is_good(void);
+bool hal_stack_is_good(void); /* whether the last byte of the stack was never used */
 
 /* SDCC writes an interrupt's vector only if the file with main sees the interrupt's prototype. */
 void pwm_interrupt(void) __interrupt(3) __using(1);

@@ -96,6 +96,10 @@ uint8_t hal_stack_unused(void)
 {
     return any_byte();
 }
+bool hal_code_is_good(void)
+{
+    return any_bool();
+}
 bool hal_stack_is_good(void)
 {
     return any_bool();

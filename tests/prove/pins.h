@@ -54,6 +54,8 @@ bool hal_ram_is_good(void);
 /*@ assigns \nothing; */
 uint8_t hal_stack_unused(void);
 /*@ assigns \nothing; */
+bool hal_code_is_good(void);
+/*@ assigns \nothing; */
 bool hal_stack_is_good(void);
 
 #endif

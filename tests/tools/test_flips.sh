@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # What the brake finds in its own RAM while it drives: each bit of what the decision remembers, and of its
 # clock, is flipped once, at instants spread over a period of the sensor, on a board without a watchdog. It
-# is found in the next round of the main loop, which is FAULT; what is flipped while the decision is at work
-# can be overwritten before that. And flip's own complaints.
+# is found in the next round of the main loop, which is FAULT; what is flipped while the decision is at work,
+# a ninth of the time, is taken for its own. And flip's own complaints.
 . tests/lib.sh
 board=generic8052
 make -s BOARD=$board build/$board/brake.ihx || exit 2
@@ -24,7 +24,7 @@ build/flip --board=$board --scenario=tests/flips/stop.scn --at=0.5 --ram="$remem
 say "flip ends" $?
 check "it flips 144 bits" awk -F , 'NR > 1 { n++ } END { exit n != 144 }' "$out/remembered.csv"
 check "no bit that flips lets go of STOP" awk -F , '$6 == "unsafe" || $6 == "lost" { exit 1 }' "$out/remembered.csv"
-check "nine in ten are found" awk -F , '$6 == "FAULT" { n++ } END { exit n < 0.9 * 144 }' "$out/remembered.csv"
+check "five in six are found" awk -F , '$6 == "FAULT" { n++ } END { exit n < 144 * 5 / 6 }' "$out/remembered.csv"
 
 # In CONTROL the brake goes on as it was, or harder.
 build/flip --board=$board --scenario=tests/flips/approach.scn --at=0.5 --fault-state="$(address fault_state)" \
@@ -35,6 +35,16 @@ check "no bit of the decision leads to an impact or lets go of the brake" \
 # The stack pointer and the register bank are right again in the next round.
 build/flip --board=$board --scenario=tests/flips/follow.scn --at=0.5 --sfr=D0 -o "$out/flags.csv"
 check "no flag that flips stays so" awk -F , 'NR > 1 && $6 != "none" && $6 != "corrected" && $6 != "safe-stop" { n++ } END { exit n > 1 }' "$out/flags.csv"
+
+# The code is summed up all the time: within 2.5 s, which is what is left of the drive, a bit that changes
+# is FAULT. Some change what finds it.
+for board in at89s52 generic8052; do
+    make -s BOARD=$board build/$board/brake.ihx || exit 2
+    build/flip --board=$board --scenario=tests/flips/stop.scn --what=code --count=60 --at=0.94 \
+        --fault-state="$(address fault_state)" -o "$out/$board.csv"
+    check "a bit of the code is found within 2.5 s on $board" \
+        awk -F, '$6 == "FAULT" || $6 == "watchdog" { n++ } END { exit !(NR == 61 && n >= 57) }' "$out/$board.csv"
+done
 
 # --- what flip says of odd input ------------------------------------------------------------------------
 good=("--board=$board" --scenario=tests/flips/stop.scn --at=0.5)
