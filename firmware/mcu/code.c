@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The code memory while the program runs: a sum over all of it, and a sum of the sums, slice by
- * slice. The first pass learns both, each later one compares. Each single bit that changes shows. */
+ * slice. The first pass learns both, each later one compares. Each single bit that changes shows.
+ */
 #include <stdbool.h>
 #include <stdint.h>
 #include "hal.h"
