@@ -29,6 +29,13 @@ fail() {
     exit 2
 }
 
+existing() { # FILE...: those that there are, one a line
+    local file
+    for file; do
+        if [ -f "$file" ]; then echo "$file"; fi
+    done
+}
+
 # --- the tabs' descriptions ---------------------------------------------------------------------------
 tabs() {
     ls "$here"/tabs/*.tab
@@ -143,13 +150,20 @@ list_tasks() {
         "$work/hashes" "$work/durations" "$work/pairs" >"$work/tasks"
 }
 
-# The tasks that run in s51, too: drawn with a fixed seed from those of at most SAMPLE_S simulated seconds,
-# because s51 takes a second of a core for three of them.
-SAMPLE_S=8
+# The tasks that run in s51, too: drawn with a fixed seed from those whose runs in the fast engine took at most
+# SAMPLE_S simulated seconds, because s51 takes a second of a core for three of them.
+SAMPLE_S=4
 draw_sample() {
+    local key
     : >"$work/sample"
-    [ "$ENGINE" = fast ] || return 0
-    awk -F '\t' -v most="$SAMPLE_S" 'BEGIN { srand(1) } $7 <= most && !seen[$4]++ { print rand() "\t" $0 }' "$work/tasks" |
+    [ "$ENGINE" = fast ] && [ "$SAMPLE" -gt 0 ] || return 0
+    cut -f4 "$work/tasks" | sort -u | while read -r key; do existing "$runs/$key/result.json"; done | xargs -r awk -v OFS='\t' '
+        $1 == "\"duration_s\":" { seconds = $2 + 0 }
+        $1 == "\"boot_s\":" { n = split(FILENAME, part, "/"); print part[n - 1], seconds + $2; nextfile }' >"$work/seconds"
+    awk -F '\t' -v OFS='\t' -v most="$SAMPLE_S" '
+        BEGIN { srand(1) }
+        FILENAME ~ /seconds$/ { seconds[$1] = $2; next }
+        $4 in seconds && seconds[$4] <= most && !seen[$4]++ { $7 = seconds[$4]; print rand(), $0 }' "$work/seconds" "$work/tasks" |
         sort -g | cut -f2- | awk -v most="$SAMPLE" 'NR <= most' | sed 's/-fast\t/-s51\t/' >"$work/sample"
 }
 
@@ -159,28 +173,28 @@ exit_statuses() {
         'FNR == 1 { n = split(FILENAME, part, "/"); print part[n - 1], $0 }' {} + >"$work/statuses"
 }
 
-# What is left to run, the slow engine first: lines of key, image's file, board, scenario's file, limit of
-# seconds, engine. A run that failed is tried again; two tasks with one key are one run.
-list_todo() {
+# What is left to run of a file of tasks: lines of key, image's file, board, scenario's file, limit of seconds,
+# engine. A run that failed is tried again; two tasks with one key are one run.
+list_todo() { # TASKS
     exit_statuses
     awk -F '\t' -v OFS='\t' -v board="$board" '
         FILENAME ~ /statuses$/ { done[$1] = $2 == "0" || $2 == "1"; next }
         !done[$4]++ { engine = $4; sub(/.*-/, "", engine); print $4, $5, board, $6, int(60 + 30 * $7), engine }' \
-        "$work/statuses" "$work/sample" "$work/tasks" >"$work/todo"
+        "$work/statuses" "$1" >"$work/todo"
 }
 
 # --- run ------------------------------------------------------------------------------------------------
-announce() {
+announce() { # TASKS
     # s51 in lockstep makes some 3 simulated seconds a second on a core, and its start takes half a second;
     # the fast engine makes 100, and a run with all that is around it takes 40 ms.
-    awk -F '\t' -v jobs="${JOBS:-$(nproc)}" -v total="$total" -v todo="$todo" -v login="$SSHLOGIN" '
+    awk -F '\t' -v jobs="${JOBS:-$(nproc)}" -v engine="$(head -n 1 "$1" | cut -f4 | sed 's/.*-//')" -v total="$(wc -l <"$1")" -v todo="$todo" -v login="$SSHLOGIN" '
         FILENAME ~ /todo$/ { wanted[$1] = 1; next }
         wanted[$4] { seconds += $7; work_s += $4 ~ /-s51$/ ? $7 / 3 + 0.5 : $7 / 100 + 0.04; wanted[$4] = 0 }
         END {
-            printf "report: %d runs, %d of them done before", total, total - todo
+            printf "report: %d runs by %s, %d of them done before", total, engine, total - todo
             if (todo) printf "; %.0f simulated seconds, at most about %.0f s on %d cores%s", seconds, work_s / jobs + 10, jobs, login == ":" ? "" : " of this machine alone"
             print ""
-        }' "$work/todo" "$work/sample" "$work/tasks"
+        }' "$work/todo" "$1"
 }
 
 # One line a twentieth, with the time left; on a terminal one line that is written over.
@@ -223,14 +237,14 @@ run_todo() {
     wait $running || echo "report.sh: warning: parallel ended with status $?" >&2
 }
 
-# --- page -----------------------------------------------------------------------------------------------
-existing() { # FILE...: those that there are, one a line
-    local file
-    for file; do
-        if [ -f "$file" ]; then echo "$file"; fi
-    done
+run_tasks() { # TASKS
+    list_todo "$1"
+    todo=$(wc -l <"$work/todo")
+    announce "$1"
+    if [ "$todo" -gt 0 ]; then run_todo; fi
 }
 
+# --- page -----------------------------------------------------------------------------------------------
 # Text files as one JSON object, by name.
 text_files() { # FILE...
     if [ $# -eq 0 ]; then
@@ -360,13 +374,10 @@ mkdir -p "$work"
 : >"$work/built"
 build/drive scenarios --map="$MAP" "$REPORT_OUT/scenarios" || fail "drive wrote no scenarios"
 list_tasks
+run_tasks "$work/tasks"
 draw_sample
-list_todo
+if [ -s "$work/sample" ]; then run_tasks "$work/sample"; fi
 count=$(wc -l <"$work/tasks")
-total=$((count + $(wc -l <"$work/sample")))
-todo=$(wc -l <"$work/todo")
-announce
-if [ "$todo" -gt 0 ]; then run_todo; fi
 exit_statuses
 lost=$(awk -F '\t' 'FILENAME ~ /statuses$/ { done[$1] = $2 == "0" || $2 == "1"; next } !done[$4] { lost++ } END { print lost + 0 }' \
     "$work/statuses" "$work/sample" "$work/tasks")
