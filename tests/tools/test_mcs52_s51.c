@@ -414,7 +414,6 @@ static void make_program(void)
 static FILE *run_s51(size_t number)
 {
     char commands[32];
-    char *arguments[] = {"s51", "-t", "C52", "-X", "12M", "-R", "1", "-b", "-C", commands, NULL};
     FILE *words = create(number, "words");
     int input[2];
     pid_t s51;
@@ -423,6 +422,9 @@ static FILE *run_s51(size_t number)
     TEST_ASSERT_EQUAL(0, pipe2(input, O_CLOEXEC));
     s51 = fork();
     if (s51 == 0) {
+        char *arguments[] = {"s51", "-t", "C52", "-X",     "12M", "-R",
+                             "1",   "-b", "-C",  commands, NULL};
+
         if (chdir(folder) == 0 && dup2(input[0], 0) >= 0 && dup2(fileno(words), 1) >= 0) {
             execvp(arguments[0], arguments);
         }

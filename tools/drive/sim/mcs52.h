@@ -70,7 +70,8 @@ uint64_t mcs52_run(struct mcs52 *chip, uint64_t until);
 /* Runs one instruction, or takes one interrupt. In idle and power-down: goes on by a cycle. */
 void mcs52_step(struct mcs52 *chip);
 
-/* From a function of mcs52_outside: mcs52_run returns after this instruction. */
+/* From a function of mcs52_outside: mcs52_run returns after this instruction, or at once between
+ * two instructions. */
 void mcs52_stop(struct mcs52 *chip);
 
 /* --- pins and bytes ----------------------------------------------------------------------- */
@@ -107,7 +108,7 @@ uint8_t *mcs52_xdata(struct mcs52 *chip);       /* 65,536 bytes */
 uint8_t mcs52_sfr(struct mcs52 *chip, uint8_t address);
 
 /* Sets the value of a register without what a write does beside that: SBUF sends nothing, WDTRST
- * and WDT_CONTR feed nothing. */
+ * and WDT_CONTR feed nothing. IE0 and IE1 stay what the pins say while they follow the level. */
 void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value);
 void mcs52_jump(struct mcs52 *chip, uint16_t pc);
 

@@ -150,11 +150,16 @@ INLINE uint8_t pop(struct core *x)
     return x->chip->ram[x->chip->sfr[SP]--];
 }
 
+INLINE void jump(struct core *x, unsigned target)
+{
+    x->pc = target;
+}
+
 INLINE void call(struct core *x, unsigned target)
 {
     push(x, (uint8_t)x->pc);
     push(x, (uint8_t)(x->pc >> 8));
-    x->pc = target;
+    jump(x, target);
 }
 
 INLINE void ret(struct core *x)

@@ -5,52 +5,24 @@
 /* Machine cycles of each instruction, from [I]'s summary of the instruction set. */
 #define ROW(c0, c1, c2, c3, c4, c5, c67, c8_f)                                                     \
     c0, c1, c2, c3, c4, c5, c67, c67, c8_f, c8_f, c8_f, c8_f, c8_f, c8_f, c8_f, c8_f
-const uint8_t mcs52_op_cycles[256] = {ROW(1, 2, 2, 1, 1, 1, 1, 1),
-                                      ROW(2, 2, 2, 1, 1, 1, 1, 1),
-                                      ROW(2, 2, 2, 1, 1, 1, 1, 1),
-                                      ROW(2, 2, 2, 1, 1, 1, 1, 1),
-                                      ROW(2, 2, 1, 2, 1, 1, 1, 1),
-                                      ROW(2, 2, 1, 2, 1, 1, 1, 1),
-                                      ROW(2, 2, 1, 2, 1, 1, 1, 1),
-                                      ROW(2, 2, 2, 2, 1, 2, 1, 1),
-                                      ROW(2, 2, 2, 2, 4, 2, 2, 2),
-                                      ROW(2, 2, 2, 2, 1, 1, 1, 1),
-                                      ROW(2, 2, 1, 2, 4, 1, 2, 2),
-                                      ROW(2, 2, 1, 1, 2, 2, 2, 2),
-                                      ROW(2, 2, 1, 1, 1, 1, 1, 1),
-                                      ROW(2, 2, 1, 1, 1, 2, 1, 2),
-                                      [0xE0] = 2,
-                                      2,
-                                      2,
-                                      2,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      [0xF0] = 2,
-                                      2,
-                                      2,
-                                      2,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1,
-                                      1};
+const uint8_t mcs52_op_cycles[256] = {
+    ROW(1, 2, 2, 1, 1, 1, 1, 1), /* 0x */
+    ROW(2, 2, 2, 1, 1, 1, 1, 1), /* 1x */
+    ROW(2, 2, 2, 1, 1, 1, 1, 1), /* 2x */
+    ROW(2, 2, 2, 1, 1, 1, 1, 1), /* 3x */
+    ROW(2, 2, 1, 2, 1, 1, 1, 1), /* 4x */
+    ROW(2, 2, 1, 2, 1, 1, 1, 1), /* 5x */
+    ROW(2, 2, 1, 2, 1, 1, 1, 1), /* 6x */
+    ROW(2, 2, 2, 2, 1, 2, 1, 1), /* 7x */
+    ROW(2, 2, 2, 2, 4, 2, 2, 2), /* 8x */
+    ROW(2, 2, 2, 2, 1, 1, 1, 1), /* 9x */
+    ROW(2, 2, 1, 2, 4, 1, 2, 2), /* Ax */
+    ROW(2, 2, 1, 1, 2, 2, 2, 2), /* Bx */
+    ROW(2, 2, 1, 1, 1, 1, 1, 1), /* Cx */
+    ROW(2, 2, 1, 1, 1, 2, 1, 2), /* Dx */
+    ROW(2, 2, 2, 2, 1, 1, 1, 1), /* Ex */
+    ROW(2, 2, 2, 2, 1, 1, 1, 1), /* Fx */
+};
 
 /* Cases of the codes HIGH+4..HIGH+F: VALUE is the immediate, direct, indirect or register operand.
  */
@@ -101,8 +73,9 @@ const uint8_t mcs52_op_cycles[256] = {ROW(1, 2, 2, 1, 1, 1, 1, 1),
         x->r[op & 7] = (uint8_t)(x->r[op & 7] + (difference));                                     \
         break
 
-/* The eight codes that differ in their upper three bits: a page's address or nothing. */
-#define ALL_PAGES(low)                                                                             \
+/* The eight codes that differ in their upper three bits, which belong to an address in the page of
+ * the next instruction. */
+#define ALL_PAGES(low, jump)                                                                       \
     case (low):                                                                                    \
     case (low) + 0x20:                                                                             \
     case (low) + 0x40:                                                                             \
@@ -110,7 +83,10 @@ const uint8_t mcs52_op_cycles[256] = {ROW(1, 2, 2, 1, 1, 1, 1, 1),
     case (low) + 0x80:                                                                             \
     case (low) + 0xA0:                                                                             \
     case (low) + 0xC0:                                                                             \
-    case (low) + 0xE0
+    case (low) + 0xE0:                                                                             \
+        x->pc += 2;                                                                                \
+        jump(x, (x->pc & 0xF800) | (op & 0xE0u) << 3 | p[1]);                                      \
+        break
 
 #define JUMP_IF(code, condition)                                                                   \
     case (code):                                                                                   \
@@ -131,17 +107,10 @@ INLINE void instruction(struct core *x)
     case 0xA5: /* reserved */
         x->pc += 1;
         break;
-        ALL_PAGES(0x01)
-            : /* AJMP */
-              x->pc = ((x->pc + 2) & 0xF800) | (op & 0xE0u) << 3 | p[1];
-        break;
-        ALL_PAGES(0x11)
-            : /* ACALL */
-              x->pc += 2;
-        call(x, (x->pc & 0xF800) | (op & 0xE0u) << 3 | p[1]);
-        break;
-    case 0x02: /* LJMP */
-        x->pc = (unsigned)p[1] << 8 | p[2];
+        ALL_PAGES(0x01, jump); /* AJMP */
+        ALL_PAGES(0x11, call); /* ACALL */
+    case 0x02:                 /* LJMP */
+        jump(x, (unsigned)p[1] << 8 | p[2]);
         break;
     case 0x12: /* LCALL */
         x->pc += 3;
@@ -155,7 +124,7 @@ INLINE void instruction(struct core *x)
         mcs52_return(x->chip, x->end);
         break;
     case 0x73: /* JMP @A+DPTR */
-        x->pc = dptr(x) + x->a;
+        jump(x, dptr(x) + x->a);
         break;
     case 0x80: /* SJMP */
         x->pc += 2 + (unsigned)(int8_t)p[1];
