@@ -42,6 +42,7 @@ struct kind {
     const char *world;
     void (*draw)(void);
     double spare_m;    /* that full braking must leave, for an impact to be flagged */
+    double limit_m;    /* a law that leaves less than this before a perfect head is at its limit */
     double brake_mps2; /* of the own car at full brake, at least */
     double late_s;     /* from a reading to the brake, at most */
 };
@@ -232,10 +233,11 @@ static void draw_park(void)
 }
 
 static const struct kind kinds[] = {
-    {"radar", draw_radar, 1, 7.5, 0.7},
-    {"gap", draw_gap, 1, 7.5, 0.5},
-    {"follow", draw_follow, 0.15, 2, 0.4},
-    {"park", draw_park, 0, 0, 0},
+    /* The radar's law begins at 100 m, where a scale of 2 % costs 2 m. */
+    {"radar", draw_radar, 1, 2, 7.5, 0.7},
+    {"gap", draw_gap, 1, 1, 7.5, 0.5},
+    {"follow", draw_follow, 0.15, 0.15, 2, 0.4},
+    {"park", draw_park, 0, 0, 0, 0},
 };
 
 /* --- what full braking would come to ---------------------------------------------------------- */
@@ -452,7 +454,7 @@ int lab_attack_head(FILE *out, const char *hex, const char *app, const struct bo
                     return -1;
                 }
                 if (calm_outcome.values[METRIC_IMPACT] > 0 ||
-                    calm_outcome.values[METRIC_MIN_GAP] < kind->spare_m) {
+                    calm_outcome.values[METRIC_MIN_GAP] < kind->limit_m) {
                     limits++;
                 } else {
                     flags[FLAG_IMPACT] = outcome.values[METRIC_IMPACT] > 0;
