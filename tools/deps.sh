@@ -21,6 +21,7 @@ packages_for() {
     # Debian 13 has no Frama-C, so its users cannot run the proofs.
     prove) echo "$build frama-c-base ocaml-findlib why3 z3 cvc4" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
+    mutants) echo "$build clang libclang-dev" ;;
     report) echo "$build $page" ;;
     golden) echo "$build octave octave-fuzzy-logic-toolkit fuzzylite" ;;
     pictures) echo "$build gnuplot-nox pngquant" ;;
@@ -29,19 +30,20 @@ packages_for() {
     flash) echo "avrdude pipx" ;;
     debian) echo "mmdebstrap git" ;;
     *)
-        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, flips, prove, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
+        echo "deps.sh: error: no target '$1'; use build, demo, sim, unit, test, bench, attack, flips, prove, mutants, fuzz, report, golden, pictures, format, lint, flash or debian" >&2
         exit 2
         ;;
     esac
 }
 
 # What shows that a package's content is there, wherever it came from: programs, of which one is enough, or
-# a header, or nothing to look for, because another package of the list needs it.
+# a header, or a file, or nothing to look for, because another package of the list needs it.
 proof_of() {
     case $1 in
     libc6-dev) echo "<stdio.h>" ;;
     libinih-dev) echo "<ini.h>" ;;
     libcjson-dev) echo "<cjson/cJSON.h>" ;;
+    libclang-dev) echo "/usr/lib/llvm-*/include/clang-c/Index.h" ;;
     sdcc-libraries | libclang-rt-* | octave-fuzzy-logic-toolkit) ;;
     sdcc-ucsim) echo "s51 ucsim_51" ;;
     gnuplot-nox) echo "gnuplot" ;;
@@ -59,6 +61,10 @@ is_there() {
     case $proof in
     '') ;;
     '<'*) echo "#include $proof" | ${CC:-cc} -E - >/dev/null 2>&1 ;;
+    /*)
+        # shellcheck disable=SC2086  # a pattern
+        ls $proof >/dev/null 2>&1
+        ;;
     *)
         for program in $proof; do
             command -v "$program" >/dev/null && return 0
@@ -158,7 +164,7 @@ fetch_unity() {
 for target in "${@:-build}"; do
     packages=$(packages_for "$target")
     needs_unity=0
-    case $target in unit | test | lint) needs_unity=1 ;; esac
+    case $target in unit | test | mutants | lint) needs_unity=1 ;; esac
     if [ $needs_unity = 1 ] && [ -n "${UNITY_DIR:-}" ]; then take_unity; fi
     # shellcheck disable=SC2086  # a list of words
     if may_install; then

@@ -129,7 +129,9 @@ uint8_t brake_sum(void)
 void brake_begin_anew(void)
 {
     bool is_lasting = fault_state == FAULT_LASTING;
+#if FAULT_PCT > 0
     uint8_t pct = demand_pct;
+#endif
     uint8_t votes = 0; /* for STOP: one of them may be what has changed */
 
     if (brake.stop) {

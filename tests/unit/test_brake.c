@@ -4,6 +4,7 @@
 #include "unity.h"
 #include "brake.h"
 #include "closing.h"
+#include "latch.h"
 #include "law.h"
 #include "lut.h"
 #include "range.h"
@@ -1010,6 +1011,204 @@ static void test_a_fault_that_turns_over_by_itself_brakes_at_the_next_tick(void)
     TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
 }
 
+/* In the middle of all that can be going on. */
+static void test_init_forgets_what_was_before(void)
+{
+    approach(3000, 900, 60);
+    step_held = true;
+    wait_cs(50);
+    measure(RANGE_NOT_RISEN, 0);
+    brake_init(BRAKE_FAULT_NONE);
+    test_starts_released();
+    TEST_ASSERT_EQUAL_UINT8(RANGE_NO_TARGET, range_reading.kind);
+    wait_cs(BRAKE_OVERRIDE_CS - 1U);
+    TEST_ASSERT_FALSE(brake.overridden);
+    wait_cs(1);
+    TEST_ASSERT_TRUE(brake.overridden);
+}
+
+static void test_a_fault_found_on_the_way_acts_at_once(void)
+{
+    brake_fail(BRAKE_FAULT_STACK);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+}
+
+/* --- in the step itself, before brake_finish -------------------------------------------------- */
+
+static void test_stop_comes_in_the_step_of_its_reading(void)
+{
+    brake_expect(PERIOD_CS);
+    brake_step(RANGE_ECHO, BRAKE_STOP_MM + 1U);
+    TEST_ASSERT_FALSE(brake.stop);
+    brake_finish();
+    brake_expect(PERIOD_CS);
+    brake_step(RANGE_ECHO, BRAKE_STOP_MM);
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_STOP, brake.state);
+}
+
+static void test_stop_ends_in_the_step_of_its_last_reading(void)
+{
+    uint8_t i;
+
+    stop_at_900();
+    for (i = 1; i < LATCH_ROAD_READINGS; i++) {
+        step(RANGE_NO_TARGET, 0, PERIOD_CS);
+        TEST_ASSERT_TRUE(brake.stop);
+    }
+    step(RANGE_NO_TARGET, 0, PERIOD_CS);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
+/* Until the next reading says otherwise. */
+static void test_what_the_override_ended_does_not_come_back(void)
+{
+    stop_at_900();
+    step_held = true;
+    wait_cs(BRAKE_OVERRIDE_CS);
+    step_held = false;
+    wait_cs(1);
+    TEST_ASSERT_FALSE(brake.overridden);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
+/* --- the law's part --------------------------------------------------------------------------- */
+
+static void test_a_target_that_comes_back_into_reach_is_looked_up_afresh(void)
+{
+    uint16_t mm;
+
+    for (mm = 4900; mm <= 5300; mm += 40) {
+        echo(mm);
+    }
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_RELEASED, brake.state);
+    for (mm = 5260; mm >= 4960; mm -= 50) {
+        echo(mm);
+    }
+    TEST_ASSERT_EQUAL_UINT8((4960 - 1000) / 40, law_answer.row);
+}
+
+static void law_at(uint8_t worth, uint16_t dist_mm, uint16_t closing_mmps)
+{
+    closing_difference.closing_mmps = closing_mmps;
+    closing_difference.opening_mmps = 0;
+    law_step(worth, dist_mm);
+}
+
+/* One cell further or slower keeps the cell of a tracked target; a new one is not held at it. */
+static void test_only_a_tracked_target_is_held_at_its_cell(void)
+{
+    law_restart();
+    law_at(TARGET_TRACKED, 2020, 3000);
+    TEST_ASSERT_EQUAL_UINT8(25, law_answer.row);
+    TEST_ASSERT_EQUAL_UINT8(8, law_answer.col);
+    law_at(TARGET_TRACKED, 2060, 2700);
+    TEST_ASSERT_EQUAL_UINT8(25, law_answer.row);
+    TEST_ASSERT_EQUAL_UINT8(8, law_answer.col);
+    law_at(TARGET_NEW, 2100, 2400);
+    TEST_ASSERT_EQUAL_UINT8(27, law_answer.row);
+    TEST_ASSERT_EQUAL_UINT8(6, law_answer.col);
+    TEST_ASSERT_TRUE(law_answer.brake_pct != 0);
+    law_at(TARGET_ENTERED_LATE, 2100, 2400);
+    TEST_ASSERT_EQUAL_UINT8(0, law_answer.brake_pct);
+}
+
+/* Where an echo is missing, the target is where it was foreseen: from 1024 mm/s on. */
+static void test_a_missing_echo_of_an_approach_brakes_for_the_place_foreseen(void)
+{
+    uint8_t step_mm, raised = 0;
+    uint16_t from_mm;
+
+    for (step_mm = 60; step_mm <= 63; step_mm += 3) { /* 1000 and 1050 mm/s */
+        for (from_mm = 4700; from_mm >= 2000; from_mm -= 90) {
+            uint16_t next_mm = from_mm - 4U * step_mm;
+            uint8_t wanted_pct;
+
+            start();
+            approach(from_mm, next_mm + step_mm, step_mm);
+            wanted_pct = brake.brake_pct;
+            measure(RANGE_NOT_RISEN, 0);
+            if (step_mm == 63 && lut_at((uint8_t)((next_mm - 1000U) / 40U), 3) > wanted_pct) {
+                wanted_pct = lut_at((uint8_t)((next_mm - 1000U) / 40U), 3);
+                raised++;
+            }
+            TEST_ASSERT_EQUAL_UINT8(wanted_pct, brake.brake_pct);
+        }
+    }
+    TEST_ASSERT_TRUE(raised > 10);
+}
+
+/* --- the law in FAULT ------------------------------------------------------------------------- */
+
+/* In 2 m at 3 m/s the law wants more than FAULT_PCT; in a lasting fault it is not asked. */
+static void test_fault_lets_the_law_brake_harder_unless_it_lasts(void)
+{
+    uint8_t lasts;
+
+    for (lasts = 0; lasts <= 1; lasts++) {
+        uint8_t i;
+
+        start();
+        brake_init(lasts ? BRAKE_FAULT_TABLE : BRAKE_FAULT_WATCHDOG);
+        echo(2540);
+        echo(2360);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+        TEST_ASSERT_TRUE(lut_at(34, 8) > FAULT_PCT);
+        TEST_ASSERT_EQUAL_UINT8(lasts ? FAULT_PCT : lut_at(34, 8), brake.brake_pct);
+        TEST_ASSERT_EQUAL_UINT8(!lasts, brake.warn);
+        for (i = 0; i < 2; i++) {
+            measure(RANGE_NOT_RISEN, 0);
+        }
+        TEST_ASSERT_TRUE(lasts ? brake.brake_pct == FAULT_PCT : brake.brake_pct > lut_at(34, 8));
+    }
+}
+
+/* --- the warning, as warning.h says it -------------------------------------------------------- */
+
+static void test_warns_of_what_is_so_in_a_second(void)
+{
+    uint16_t mm;
+    uint8_t step_mm;
+
+    for (step_mm = 20; step_mm <= 150; step_mm += 10) {
+        for (mm = 1100; mm <= 6000 - step_mm; mm += 70) {
+            uint16_t mmps, ahead_mm;
+            bool is_hard;
+
+            start();
+            step(RANGE_ECHO, mm + step_mm, PERIOD_CS);
+            step(RANGE_ECHO, mm, PERIOD_CS);
+            mmps = closing_smooth.closing_mmps;
+            ahead_mm = mm > mmps ? mm - mmps : 0;
+            is_hard = ahead_mm <= 1000 ||
+                      (ahead_mm <= 5000 &&
+                       lut_at(ahead_mm == 5000 ? 99 : (uint8_t)((ahead_mm - 1000U) / 40U),
+                              (uint8_t)(mmps / 350U)) >= 60);
+            if (brake.warn != is_hard) {
+                TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "warned, or not, at this distance in mm");
+            }
+        }
+    }
+}
+
+static void test_warns_from_300_mmps_on(void)
+{
+    echo(1318);
+    echo(1300);
+    TEST_ASSERT_EQUAL_UINT16(300, closing_smooth.closing_mmps);
+    TEST_ASSERT_TRUE(brake.warn);
+}
+
+static void test_a_clear_reading_is_no_reason_to_warn(void)
+{
+    approach(5000, 4700, 60);
+    TEST_ASSERT_FALSE(brake.warn);
+    measure(RANGE_NO_TARGET, 0);
+    TEST_ASSERT_FALSE(brake.warn);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -1075,5 +1274,17 @@ int main(void)
     RUN_TEST(test_begun_anew_one_of_three_is_no_stop);
     RUN_TEST(test_begun_anew_a_lasting_fault_lasts);
     RUN_TEST(test_a_fault_that_turns_over_by_itself_brakes_at_the_next_tick);
+    RUN_TEST(test_init_forgets_what_was_before);
+    RUN_TEST(test_a_fault_found_on_the_way_acts_at_once);
+    RUN_TEST(test_stop_comes_in_the_step_of_its_reading);
+    RUN_TEST(test_stop_ends_in_the_step_of_its_last_reading);
+    RUN_TEST(test_what_the_override_ended_does_not_come_back);
+    RUN_TEST(test_a_target_that_comes_back_into_reach_is_looked_up_afresh);
+    RUN_TEST(test_only_a_tracked_target_is_held_at_its_cell);
+    RUN_TEST(test_a_missing_echo_of_an_approach_brakes_for_the_place_foreseen);
+    RUN_TEST(test_fault_lets_the_law_brake_harder_unless_it_lasts);
+    RUN_TEST(test_warns_of_what_is_so_in_a_second);
+    RUN_TEST(test_warns_from_300_mmps_on);
+    RUN_TEST(test_a_clear_reading_is_no_reason_to_warn);
     return UNITY_END();
 }

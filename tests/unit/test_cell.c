@@ -76,8 +76,8 @@ int main(void)
     RUN_TEST(test_every_distance_and_speed_lies_in_its_cell);
     RUN_TEST(test_axes_go_by_bytes_where_their_cells_allow);
 #ifndef __SDCC_mcs51
-    RUN_TEST(test_every_axis_that_goes_by_bytes_is_right_for_every_value);
     RUN_TEST(test_every_axis_that_goes_by_subtraction_is_right_for_every_value);
+    RUN_TEST(test_every_axis_that_goes_by_bytes_is_right_for_every_value);
 #endif
     return UNITY_END();
 }

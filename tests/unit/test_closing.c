@@ -143,6 +143,28 @@ static void test_every_span_works(void)
     }
 }
 
+/* mm in n/100 s are 50 * mm / n units of 2 mm/s. The factor of n is rounded up by less than
+ * 1 / 4096; where 204800 is a multiple of n it is exact. */
+static void test_every_difference_is_the_quotient(void)
+{
+    uint8_t span_cs;
+    uint16_t mm;
+
+    for (span_cs = CLOSING_SPAN_MIN_CS; span_cs <= CLOSING_SPAN_MAX_CS; span_cs++) {
+        for (mm = 1; mm <= 3200; mm += STEP) {
+            uint32_t units, exact_units = mm * 50UL / span_cs;
+
+            begin(mm);
+            take(0, span_cs);
+            units = closing_difference.closing_mmps / 2U;
+            if (units < exact_units || units * span_cs * 4096UL >= mm * (204800UL + span_cs) ||
+                (204800UL % span_cs == 0 && units != exact_units)) {
+                TEST_ASSERT_EQUAL_UINT16_MESSAGE(exact_units, units, "not the quotient");
+            }
+        }
+    }
+}
+
 static void test_other_spans_count_as_the_longest(void)
 {
     uint8_t i;
@@ -161,6 +183,9 @@ static void test_a_move_beyond_what_counts_is_held_to_it(void)
     take(100, CLOSING_SPAN_MAX_CS);
     TEST_ASSERT_UINT16_WITHIN(4, (uint16_t)(3200UL * 100U / CLOSING_SPAN_MAX_CS),
                               closing_difference.closing_mmps);
+    begin(3201);
+    take(0, CLOSING_SPAN_MIN_CS);
+    TEST_ASSERT_EQUAL_UINT16(64000U, closing_difference.closing_mmps); /* as 3200 mm in 50 ms */
 }
 
 /* At 3 m/s, 0.3 s ahead: 6 mm for the factor's rounding. */
@@ -195,6 +220,45 @@ static void test_lag_behind_braking_is_that_of_the_estimator(void)
     TEST_ASSERT_UINT16_WITHIN(480, mmps + 1200, closing_smooth.closing_mmps);
 }
 
+static void test_one_of_the_two_magnitudes_is_always_zero(void)
+{
+    int16_t step_mm;
+
+    for (step_mm = -60; step_mm <= 60; step_mm += 120) {
+        uint8_t i;
+
+        begin(3000);
+        take_nearer(step_mm);
+        TEST_ASSERT_EQUAL_UINT16(step_mm > 0 ? 1000 : 0, closing_difference.closing_mmps);
+        TEST_ASSERT_EQUAL_UINT16(step_mm < 0 ? 1000 : 0, closing_difference.opening_mmps);
+        for (i = 0; i < 20; i++) {
+            take_nearer((int16_t)-step_mm);
+            TEST_ASSERT_TRUE(closing_difference.closing_mmps == 0 ||
+                             closing_difference.opening_mmps == 0);
+            TEST_ASSERT_TRUE(closing_smooth.closing_mmps == 0 || closing_smooth.opening_mmps == 0);
+        }
+        TEST_ASSERT_TRUE((step_mm < 0 ? closing_smooth.closing_mmps : closing_smooth.opening_mmps) >
+                         900);
+    }
+}
+
+/* By hand. 3 m/s and 0.31 s are 3000 * 31 * 655 / 65536 = 929.5 mm. A target that stood and is
+ * 42 mm further: its place is a quarter of that nearer, 10.5 mm, rounded to 10; its speed is a
+ * quarter of 350 units, rounded up to 88, which are 10.6 mm in 60 ms. */
+static void test_the_next_place_is_foreseen_to_the_millimetre(void)
+{
+    begin(5000);
+    take_nearer(180);
+    closing_expect(31);
+    TEST_ASSERT_EQUAL_UINT16(4820 - 929, closing_foreseen_mm);
+    begin(3000);
+    take_nearer(0);
+    take_nearer(-42);
+    TEST_ASSERT_EQUAL_UINT16(176, closing_smooth.opening_mmps);
+    closing_expect(PERIOD_CS);
+    TEST_ASSERT_EQUAL_UINT16(3042 - 10 + 10, closing_foreseen_mm);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -202,9 +266,12 @@ int main(void)
     RUN_TEST(test_every_steady_speed_is_found);
     RUN_TEST(test_smooth_takes_a_quarter_of_each_deviation);
     RUN_TEST(test_every_span_works);
+    RUN_TEST(test_every_difference_is_the_quotient);
     RUN_TEST(test_other_spans_count_as_the_longest);
     RUN_TEST(test_a_move_beyond_what_counts_is_held_to_it);
     RUN_TEST(test_the_next_place_is_foreseen);
     RUN_TEST(test_lag_behind_braking_is_that_of_the_estimator);
+    RUN_TEST(test_one_of_the_two_magnitudes_is_always_zero);
+    RUN_TEST(test_the_next_place_is_foreseen_to_the_millimetre);
     return UNITY_END();
 }

@@ -166,6 +166,75 @@ static void test_no_hold_without_a_standing_start(void)
     }
 }
 
+/* 100 mm/s still seem to stand, either way. */
+static void test_a_gap_that_changes_a_little_is_held(void)
+{
+    uint8_t is_opening;
+
+    for (is_opening = 0; is_opening <= 1; is_opening++) {
+        ease_restart();
+        if (is_opening) {
+            opening(EASE_STILL_MMPS);
+        } else {
+            closing(EASE_STILL_MMPS);
+        }
+        stand(100);
+        closing(0);
+        TEST_ASSERT_EQUAL_UINT8(EASE_HOLD_PCT, ease_pct(20, FAR_MM));
+    }
+}
+
+/* The reading after EASE_STILL_READINGS is the first that holds; a fast one begins the count anew.
+ */
+static void test_a_fast_reading_begins_the_count_anew(void)
+{
+    stand(EASE_STILL_READINGS - 1);
+    closing(EASE_SPAN_MMPS);
+    stand(1);
+    closing(0);
+    stand(EASE_STILL_READINGS);
+    TEST_ASSERT_EQUAL_UINT8(0, ease_pct(0, FAR_MM));
+
+    stand(EASE_STILL_READINGS);
+    closing(EASE_SPAN_MMPS);
+    stand(1);
+    closing(0);
+    stand(EASE_STILL_READINGS + 1U);
+    closing(EASE_STILL_MMPS + 1U);
+    TEST_ASSERT_EQUAL_UINT8(1, ease_pct(0, FAR_MM));
+}
+
+/* Restarted, the whole count is due, and nothing is held. */
+static void test_restart_begins_the_count_anew(void)
+{
+    stand(EASE_STILL_READINGS);
+    ease_restart();
+    stand(EASE_STILL_READINGS);
+    TEST_ASSERT_EQUAL_UINT8(0, ease_pct(0, FAR_MM));
+}
+
+/* By hand: w = (v + 150) / 4 and (w * table + 128) / 256, both rounded down. */
+static void test_weight_is_rounded(void)
+{
+    closing(2); /* 152 / 4 = 38 */
+    TEST_ASSERT_EQUAL_UINT8(15, ease_pct(100, FAR_MM));
+    closing(106); /* 64 * 2 + 128 = 256 */
+    TEST_ASSERT_EQUAL_UINT8(1, ease_pct(2, FAR_MM));
+    closing(358); /* 127 * 1 + 128 = 255 */
+    TEST_ASSERT_EQUAL_UINT8(0, ease_pct(1, FAR_MM));
+}
+
+/* By hand: w = (1800 - d) / 2, where that is more than the 37 of a constant gap. */
+static void test_weight_of_a_near_gap(void)
+{
+    ease_restart();
+    TEST_ASSERT_EQUAL_UINT8(20, ease_pct(100, 1700)); /* 50 */
+    TEST_ASSERT_EQUAL_UINT8(50, ease_pct(100, 1546)); /* 127 */
+    TEST_ASSERT_EQUAL_UINT8(49, ease_pct(100, 1547)); /* 126 */
+    opening(EASE_STILL_MMPS);
+    TEST_ASSERT_EQUAL_UINT8(100, ease_pct(100, 1288));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -179,5 +248,10 @@ int main(void)
     RUN_TEST(test_an_opening_gap_lets_go_at_once);
     RUN_TEST(test_another_target_lets_go);
     RUN_TEST(test_no_hold_without_a_standing_start);
+    RUN_TEST(test_a_gap_that_changes_a_little_is_held);
+    RUN_TEST(test_a_fast_reading_begins_the_count_anew);
+    RUN_TEST(test_restart_begins_the_count_anew);
+    RUN_TEST(test_weight_is_rounded);
+    RUN_TEST(test_weight_of_a_near_gap);
     return UNITY_END();
 }

@@ -97,6 +97,51 @@ static void test_a_lasting_fault_comes_in_fault_too(void)
     TEST_ASSERT_EQUAL_UINT8(FAULT_LASTING, fault_state);
 }
 
+static void test_init_forgets_what_was_before(void)
+{
+    fault_init(BRAKE_FAULT_WATCHDOG);
+    fault_take(BRAKE_FAULT_NONE);
+    fault_take(BRAKE_FAULT_NONE);
+    wait_cs(10);
+    fault_init(BRAKE_FAULT_WATCHDOG);
+    fault_take(BRAKE_FAULT_NONE);
+    fault_take(BRAKE_FAULT_NONE);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_ON, fault_state);
+    fault_take(BRAKE_FAULT_NONE);
+    TEST_ASSERT_EQUAL_UINT8(FAULT_GOOD, fault_state);
+
+    wait_cs(10);
+    fault_init(BRAKE_FAULT_NONE);
+    TEST_ASSERT_FALSE(wait_cs(FAULT_SILENCE_CS));
+    TEST_ASSERT_TRUE(wait_cs(1));
+}
+
+/* Whatever the other bytes are. */
+static void test_the_sum_shows_each_byte(void)
+{
+    uint8_t sum;
+
+    fault_state = 0xFF;
+    fault_code = 0;
+    sum = fault_sum();
+    fault_code = 1;
+    TEST_ASSERT_TRUE(fault_sum() != sum);
+    fault_code = 0;
+    wait_cs(1);
+    TEST_ASSERT_TRUE(fault_sum() != sum);
+
+    fault_init(BRAKE_FAULT_WATCHDOG);
+    fault_take(BRAKE_FAULT_NONE);
+    fault_state = 0xFF;
+    fault_code = 0;
+    sum = fault_sum();
+    fault_state = FAULT_ON;
+    fault_take(BRAKE_FAULT_NONE);
+    fault_state = 0xFF;
+    fault_code = 0;
+    TEST_ASSERT_TRUE(fault_sum() != sum);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -106,5 +151,7 @@ int main(void)
     RUN_TEST(test_fault_ends_with_the_third_believed_reading_in_a_row);
     RUN_TEST(test_a_lasting_fault_lasts);
     RUN_TEST(test_a_lasting_fault_comes_in_fault_too);
+    RUN_TEST(test_init_forgets_what_was_before);
+    RUN_TEST(test_the_sum_shows_each_byte);
     return UNITY_END();
 }

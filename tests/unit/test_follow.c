@@ -340,6 +340,25 @@ static void test_thresholds_and_cells_are_the_whole_system(void)
 
 #endif
 
+/* Both tables, and slices that end before, at and after the end of the first one. */
+static void test_the_check_sum_is_the_headers_in_slices_of_any_size(void)
+{
+    uint8_t slice;
+
+    for (slice = 1; slice <= LUT_BYTES; slice++) {
+        uint16_t crc = LUT_CRC16_START;
+        uint8_t offset = 0;
+
+        while (offset != LUT_BYTES) {
+            uint8_t left = (uint8_t)(LUT_BYTES - offset), count = left < slice ? left : slice;
+
+            crc = lut_crc16(crc, offset, count);
+            offset = (uint8_t)(offset + count);
+        }
+        TEST_ASSERT_EQUAL_HEX16(LUT_CRC16, crc);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -357,5 +376,6 @@ int main(void)
 #ifndef __SDCC_mcs51
     RUN_TEST(test_thresholds_and_cells_are_the_whole_system);
 #endif
+    RUN_TEST(test_the_check_sum_is_the_headers_in_slices_of_any_size);
     return UNITY_END();
 }

@@ -332,6 +332,77 @@ static void test_refused_values_count_as_bad(void)
     TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
 }
 
+/* A count from before, and half a frame. */
+static void test_init_forgets_what_was_before(void)
+{
+    encode(FRAME_PARK, 0);
+    push(0, LINE_BYTES);
+    push(0, LINE_BYTES - 1);
+    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, frame_push(line[LINE_BYTES - 1]));
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, push(0, LINE_BYTES));
+    TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
+}
+
+/* Answers to every second trigger until one is bad. */
+static uint8_t slow_answers(uint8_t frame)
+{
+    uint8_t good = 0;
+
+    (void)frame_ask();
+    while (answer((uint8_t)(frame + good)) == FRAME_GOOD) {
+        good++;
+        (void)frame_ask();
+    }
+    return good;
+}
+
+static void test_init_forgets_that_the_head_was_slow(void)
+{
+    uint8_t frame;
+
+    for (frame = 0; frame < FRAME_SLOW_MAX - 1U; frame++) {
+        (void)frame_ask();
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(frame));
+    }
+    (void)frame_ask();
+    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(100)); /* in time */
+    TEST_ASSERT_EQUAL_UINT8(FRAME_SLOW_MAX - 1U, slow_answers(101));
+
+    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    TEST_ASSERT_EQUAL_UINT8(FRAME_SLOW_MAX - 1U, slow_answers(100));
+}
+
+/* A frame that is cut off is an answer, too: the head is not slow. */
+static void test_late_frames_do_not_make_a_slow_head(void)
+{
+    uint8_t frame;
+
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(0));
+    for (frame = 1; frame < 3U * FRAME_SLOW_MAX; frame++) {
+        (void)frame_ask();
+        (void)push(0, LINE_BYTES - 1);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(frame));
+    }
+}
+
+/* 256 triggers without an answer are not none. */
+static void test_a_long_silence_is_slow(void)
+{
+    uint16_t i;
+
+    TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(0));
+    for (i = 1; i < FRAME_SLOW_MAX; i++) {
+        (void)frame_ask();
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer((uint8_t)i));
+    }
+    for (i = 0; i < 255; i++) {
+        (void)frame_ask();
+    }
+    TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(FRAME_SLOW_MAX));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -353,5 +424,9 @@ int main(void)
     RUN_TEST(test_count_of_bad_frames_stops_at_its_end);
     RUN_TEST(test_other_kinds_are_passed_over);
     RUN_TEST(test_refused_values_count_as_bad);
+    RUN_TEST(test_init_forgets_what_was_before);
+    RUN_TEST(test_init_forgets_that_the_head_was_slow);
+    RUN_TEST(test_late_frames_do_not_make_a_slow_head);
+    RUN_TEST(test_a_long_silence_is_slow);
     return UNITY_END();
 }

@@ -343,6 +343,15 @@ static void test_lead_that_brakes_as_the_model_assumes_is_not_hit(void)
 
 #endif
 
+/* 1/256 of the way down from 10 to 9 is 9.996, rounded down. */
+static void test_what_lies_between_two_nodes_is_rounded_down(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(10, between(10, 9, 0));
+    TEST_ASSERT_EQUAL_UINT8(9, between(10, 9, 1));
+    TEST_ASSERT_EQUAL_UINT8(9, between(9, 10, 255));
+    TEST_ASSERT_EQUAL_UINT8(60, between(60, 60, 200));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -361,5 +370,6 @@ int main(void)
     RUN_TEST(test_no_impact_wherever_full_brake_from_the_same_reading_avoids_it);
     RUN_TEST(test_lead_that_brakes_as_the_model_assumes_is_not_hit);
 #endif
+    RUN_TEST(test_what_lies_between_two_nodes_is_rounded_down);
     return UNITY_END();
 }

@@ -55,6 +55,10 @@ static void within_tracked(void)
 static void near_by(void)
 {
     echo(BRAKE_STOP_MM + 1U);
+}
+
+static void at_near_end(void)
+{
     echo(LATCH_NEAR_MM);
 }
 
@@ -88,9 +92,9 @@ static void fault(void)
     take(RANGE_DEAD_ZONE, 0, false);
 }
 
-static void (*const events[])(void) = {override, within,         within_tracked, near_by, opening,
-                                       beyond,   beyond_tracked, one_clear,      fault};
-#define EVENTS 9U
+static void (*const events[])(void) = {override, within, within_tracked, near_by,   at_near_end,
+                                       opening,  beyond, beyond_tracked, one_clear, fault};
+#define EVENTS 10U
 
 #define O LATCH_OPEN
 #define T LATCH_TRIAL
@@ -112,35 +116,35 @@ static void check_row(uint8_t state, const uint8_t __code *wanted)
 
 static void test_row_open(void)
 {
-    static const uint8_t __code wanted[] = {O, T, H, O, O, O, O, O, O};
+    static const uint8_t __code wanted[] = {O, T, H, O, O, O, O, O, O, O};
 
     check_row(LATCH_OPEN, wanted);
 }
 
 static void test_row_trial(void)
 {
-    static const uint8_t __code wanted[] = {O, H, H, H, O, D, O, D, T};
+    static const uint8_t __code wanted[] = {O, H, H, H, H, O, D, O, D, T};
 
     check_row(LATCH_TRIAL, wanted);
 }
 
 static void test_row_doubted(void)
 {
-    static const uint8_t __code wanted[] = {O, H, H, H, O, O, O, O, D};
+    static const uint8_t __code wanted[] = {O, H, H, H, H, O, O, O, O, D};
 
     check_row(LATCH_DOUBTED, wanted);
 }
 
 static void test_row_held(void)
 {
-    static const uint8_t __code wanted[] = {O, H, H, H, G, H, H, H, H};
+    static const uint8_t __code wanted[] = {O, H, H, H, H, G, H, H, H, H};
 
     check_row(LATCH_HELD, wanted);
 }
 
 static void test_row_opening(void)
 {
-    static const uint8_t __code wanted[] = {O, H, H, H, O, H, H, G, G};
+    static const uint8_t __code wanted[] = {O, H, H, H, H, O, H, H, G, G};
 
     check_row(LATCH_OPENING, wanted);
 }
@@ -154,6 +158,20 @@ static void test_held_ends_with_two_seconds_of_nothing_but_clear(void)
         latch_state = state;
         clear(LATCH_ROAD_READINGS - 1U);
         TEST_ASSERT_EQUAL_UINT8(state, latch_state);
+        clear(1);
+        TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+    }
+}
+
+/* What ends STOP in any state, and goes on to. */
+static void test_two_seconds_of_clear_road_end_every_state(void)
+{
+    uint8_t state;
+
+    for (state = 0; state < LATCH_STATES; state++) {
+        setUp();
+        clear(LATCH_ROAD_READINGS - 1U);
+        latch_state = state;
         clear(1);
         TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
     }
@@ -191,6 +209,38 @@ static void test_held_ends_when_another_target_is_tracked_for_a_second(void)
     TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
     echo(3000);
     TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+}
+
+static void test_another_target_tracked_for_a_second_ends_every_state(void)
+{
+    uint8_t state;
+
+    for (state = 0; state < LATCH_STATES; state++) {
+        setUp();
+        see_another(LATCH_PASSED_READINGS - 1U);
+        latch_state = state;
+        echo(3000);
+        TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+    }
+}
+
+/* The counts stop at their ends: however long the road is clear, or the other target there. */
+static void test_what_ends_stop_ends_it_at_any_later_time(void)
+{
+    uint16_t i;
+
+    clear(LATCH_ROAD_READINGS);
+    for (i = 0; i < 300; i++) {
+        latch_state = LATCH_HELD;
+        clear(1);
+        TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+    }
+    see_another(LATCH_PASSED_READINGS);
+    for (i = 0; i < 300; i++) {
+        latch_state = LATCH_HELD;
+        echo(3000);
+        TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+    }
 }
 
 static void test_the_target_of_stop_does_not_end_it_however_long_it_stands_beyond(void)
@@ -236,6 +286,34 @@ static void test_a_state_that_is_none_is_held(void)
     }
 }
 
+static void test_hold_is_held(void)
+{
+    latch_hold();
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+}
+
+/* Each reading counts, whatever the other bytes are. */
+static void test_the_sum_shows_each_count(void)
+{
+    uint8_t sum;
+
+    clear(1);
+    latch_state = 0xFF;
+    sum = latch_sum();
+    latch_state = LATCH_HELD;
+    clear(1);
+    latch_state = 0xFF;
+    TEST_ASSERT_TRUE(latch_sum() != sum);
+    latch_state = LATCH_HELD;
+    see_another(1); /* and the clear readings begin anew: two bits change */
+    latch_state = 0xFF;
+    sum = latch_sum();
+    latch_state = LATCH_HELD;
+    echo(3000);
+    latch_state = 0xFF;
+    TEST_ASSERT_TRUE(latch_sum() != sum);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -245,11 +323,16 @@ int main(void)
     RUN_TEST(test_row_held);
     RUN_TEST(test_row_opening);
     RUN_TEST(test_held_ends_with_two_seconds_of_nothing_but_clear);
+    RUN_TEST(test_two_seconds_of_clear_road_end_every_state);
     RUN_TEST(test_any_other_reading_begins_the_two_seconds_anew);
     RUN_TEST(test_held_ends_when_another_target_is_tracked_for_a_second);
+    RUN_TEST(test_another_target_tracked_for_a_second_ends_every_state);
+    RUN_TEST(test_what_ends_stop_ends_it_at_any_later_time);
     RUN_TEST(test_the_target_of_stop_does_not_end_it_however_long_it_stands_beyond);
     RUN_TEST(test_a_near_echo_begins_the_second_anew);
     RUN_TEST(test_what_is_not_believed_does_not_count_for_the_second);
     RUN_TEST(test_a_state_that_is_none_is_held);
+    RUN_TEST(test_hold_is_held);
+    RUN_TEST(test_the_sum_shows_each_count);
     return UNITY_END();
 }

@@ -92,6 +92,34 @@ static void test_another_target_is_judged_afresh(void)
     TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_ENTERED, 1200));
 }
 
+/* Its three factors are rounded down, 19660 / 65536 for 0.3 and 5242 / 65536 for 1024 / 12800, and
+ * so is each product. By hand. */
+static void test_safe_distance_is_rounded_down(void)
+{
+    TEST_ASSERT_EQUAL_UINT16(1000 + 2 + 0, law_classic_safe_mm(10));
+    TEST_ASSERT_EQUAL_UINT16(1000 + 47 + 1, law_classic_safe_mm(160));
+    TEST_ASSERT_EQUAL_UINT16(1000 + 360 + 113, law_classic_safe_mm(1203));
+    TEST_ASSERT_EQUAL_UINT16(1000 + 1094 + 1038, law_classic_safe_mm(3647));
+}
+
+/* As where the target has left the law's reach and comes back. */
+static void test_restart_forgets_that_it_braked(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_TRACKED, 999));
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_TRACKED, 1000));
+    law_restart();
+    TEST_ASSERT_EQUAL_UINT8(0, brake_pct(TARGET_TRACKED, 1000));
+}
+
+static void test_there_is_no_cell(void)
+{
+    law_answer.row = 1;
+    law_answer.col = 1;
+    TEST_ASSERT_EQUAL_UINT8(100, brake_pct(TARGET_TRACKED, 900));
+    TEST_ASSERT_EQUAL_UINT8(0, law_answer.row);
+    TEST_ASSERT_EQUAL_UINT8(0, law_answer.col);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -101,5 +129,8 @@ int main(void)
     RUN_TEST(test_opening_counts_as_standing);
     RUN_TEST(test_brakes_until_half_a_metre_more_than_safe);
     RUN_TEST(test_another_target_is_judged_afresh);
+    RUN_TEST(test_safe_distance_is_rounded_down);
+    RUN_TEST(test_restart_forgets_that_it_braked);
+    RUN_TEST(test_there_is_no_cell);
     return UNITY_END();
 }

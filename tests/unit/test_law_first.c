@@ -54,6 +54,15 @@ static void test_it_would_brake_fully_for_any_target(void)
     TEST_ASSERT_EQUAL_UINT8(100, law_pct(5000, &closing_smooth));
 }
 
+static void test_there_is_no_cell(void)
+{
+    law_answer.row = 1;
+    law_answer.col = 1;
+    step(RANGE_ECHO, 2000, 6);
+    TEST_ASSERT_EQUAL_UINT8(0, law_answer.row);
+    TEST_ASSERT_EQUAL_UINT8(0, law_answer.col);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -61,5 +70,6 @@ int main(void)
     RUN_TEST(test_full_brake_while_anything_is_there);
     RUN_TEST(test_stop_line_at_one_metre);
     RUN_TEST(test_it_would_brake_fully_for_any_target);
+    RUN_TEST(test_there_is_no_cell);
     return UNITY_END();
 }

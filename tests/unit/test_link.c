@@ -107,6 +107,14 @@ static void test_clock_may_wrap(void)
     TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check((uint16_t)(65500U + 220U)));
 }
 
+/* However long it was lost. */
+static void test_a_lost_link_comes_back_at_any_time(void)
+{
+    link_init(LINK_LOST, 0);
+    bring_up(30000);
+    TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check(30000));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -119,5 +127,6 @@ int main(void)
     RUN_TEST(test_frame_after_a_silence_does_not_undo_it);
     RUN_TEST(test_one_bad_frame_in_a_row_is_no_silence_and_two_are);
     RUN_TEST(test_clock_may_wrap);
+    RUN_TEST(test_a_lost_link_comes_back_at_any_time);
     return UNITY_END();
 }

@@ -212,6 +212,28 @@ static void test_of_two_seen_once_the_one_seen_last_is_confirmed(void)
     TEST_ASSERT_UINT16_WITHIN(3, 5500, closing_smooth.closing_mmps);
 }
 
+/* As long as it is no more than 720 mm from the place of the one seen last. */
+static void test_the_one_seen_last_is_the_likelier_one_near_its_place(void)
+{
+    static const int16_t __code off_mm[] = {-721, -720, 720, 721};
+    uint8_t i;
+
+    for (i = 0; i < 4; i++) {
+        bool is_likely = off_mm[i] >= -720 && off_mm[i] <= 720;
+
+        target_init();
+        echo(3000);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, echo(4500));
+        missing();
+        echo((uint16_t)(4500 + off_mm[i]));
+        if (off_mm[i] > 0) { /* farther than wheels take the first one in 180 ms */
+            TEST_ASSERT_EQUAL_UINT8(is_likely ? TARGET_NEW : TARGET_GLIMPSE, target_worth);
+        } else { /* 120 ms after 4500 mm, or 180 ms after 3000 mm */
+            TEST_ASSERT_EQUAL_UINT16(is_likely ? 6000 : 0, closing_smooth.closing_mmps);
+        }
+    }
+}
+
 static void test_a_stray_echo_after_a_glimpse_is_not_taken_for_it(void)
 {
     echo(2083);
@@ -257,6 +279,12 @@ static void test_an_echo_behind_what_has_just_entered_has_entered_late(void)
     echo(4500);
     echo(4500 + TARGET_BEHIND_MM);
     TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+
+    target_init();
+    clear();
+    echo(4500);
+    echo(4500 + TARGET_BEHIND_MM + 1);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED_LATE, target_worth);
 }
 
 /* The same where the target's first echo was missing, or what came before the stray one is not
@@ -434,6 +462,10 @@ static void test_a_stray_echo_and_a_target_at_rest_are_not_stuck(void)
     echo(3085);
     echo(3085 - 480);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, nearer(0));
+    target_init();
+    echo(3085);
+    echo(3085 - 500); /* 8.3 m/s */
+    TEST_ASSERT_TRUE(nearer(0) != BRAKE_FAULT_STUCK);
 }
 
 static void test_stuck_lasts_until_another_reading_comes(void)
@@ -449,7 +481,9 @@ static void test_stuck_lasts_until_another_reading_comes(void)
     }
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(1));
     TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
+    TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
 }
 
@@ -476,6 +510,49 @@ static void test_a_stuck_reading_that_is_lost_three_seconds_long_counts_down(voi
         missing();
     }
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
+}
+
+/* Nothing of a stuck target is left once clear readings have ended it, or after init. */
+static void test_stuck_ends_with_the_target(void)
+{
+    uint8_t i;
+
+    track(5500, 100, 6);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, nearer(0));
+    for (i = 0; i < TARGET_FAR_CLEARS; i++) {
+        clear();
+    }
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
+
+    target_init();
+    track(5500, 100, 6);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, nearer(0));
+    target_init();
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, echo(0));
+    TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
+}
+
+/* One estimator is not enough. Either way, a target at 0.6 m/s that seems to jump by 80 mm: 1.3 m/s
+ * by the difference, but 0.78 m/s by the smooth one; and one at 1.33 m/s that slows down: 0.92 m/s
+ * by the difference, but 1.2 m/s by the smooth one. Both may have come to rest. */
+static void test_a_target_that_only_one_estimator_sees_moving_is_not_stuck(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 2; i++) {
+        int16_t away = i == 0 ? 1 : -1;
+
+        target_init();
+        track(i == 0 ? 3000 : 2000, (int16_t)(36 * away), 8);
+        nearer((int16_t)(80 * away));
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
+        target_init();
+        track(i == 0 ? 3000 : 2000, (int16_t)(80 * away), 8);
+        nearer((int16_t)(55 * away));
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
+    }
 }
 
 static void test_the_same_reading_at_rest_is_fine(void)
@@ -532,6 +609,71 @@ static void test_a_car_that_has_just_stopped_is_not_stuck(void)
     }
 }
 
+static void test_init_forgets_a_clear_road(void)
+{
+    clear();
+    target_init();
+    echo(4700);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
+}
+
+/* Seen once or tracked, in one silence of 0.32 s and more, or in several. */
+static void test_any_target_ends_in_a_long_silence(void)
+{
+    uint8_t readings;
+
+    for (readings = 1; readings <= 3; readings++) {
+        target_init();
+        track(5000, 0, readings);
+        target_expect(40);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+        target_init();
+        track(5000, 0, readings);
+        target_expect(11);
+        target_expect(11);
+        TEST_ASSERT_TRUE(target_worth != TARGET_NONE);
+        target_expect(11);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+    }
+}
+
+/* TARGET_ENTERED_LATE is a first reading: it has no speed, its next one is the second, wherever a
+ * target was foreseen before, and two clear readings end it. */
+static void test_what_entered_late_was_seen_once(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 2; i++) {
+        target_init();
+        track(5000, 0, 3);
+        target_expect(40);
+        clear();
+        echo(4600);
+        echo(5000);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED_LATE, target_worth);
+        TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
+        TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.opening_mmps);
+        if (i == 0) {
+            echo(5000);
+            TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+        } else {
+            clear();
+            clear();
+            TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+        }
+    }
+}
+
+/* However far its second echo is from its first, as long as wheels can bring it there. */
+static void test_another_target_replaces_one_of_two_readings(void)
+{
+    echo(3000);
+    echo(3000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, echo(5500));
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, echo(4500));
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -546,6 +688,7 @@ int main(void)
     RUN_TEST(test_one_stray_echo_leaves_the_target_alone);
     RUN_TEST(test_the_second_echo_of_another_target_makes_it_the_target);
     RUN_TEST(test_of_two_seen_once_the_one_seen_last_is_confirmed);
+    RUN_TEST(test_the_one_seen_last_is_the_likelier_one_near_its_place);
     RUN_TEST(test_a_stray_echo_after_a_glimpse_is_not_taken_for_it);
     RUN_TEST(test_echoes_that_fit_nothing_are_never_believed);
     RUN_TEST(test_the_one_aside_is_forgotten_after_a_long_silence);
@@ -565,7 +708,13 @@ int main(void)
     RUN_TEST(test_stuck_lasts_until_another_reading_comes);
     RUN_TEST(test_stuck_lasts_three_seconds_at_most);
     RUN_TEST(test_a_stuck_reading_that_is_lost_three_seconds_long_counts_down);
+    RUN_TEST(test_stuck_ends_with_the_target);
+    RUN_TEST(test_a_target_that_only_one_estimator_sees_moving_is_not_stuck);
     RUN_TEST(test_the_same_reading_at_rest_is_fine);
     RUN_TEST(test_a_car_that_has_just_stopped_is_not_stuck);
+    RUN_TEST(test_init_forgets_a_clear_road);
+    RUN_TEST(test_any_target_ends_in_a_long_silence);
+    RUN_TEST(test_what_entered_late_was_seen_once);
+    RUN_TEST(test_another_target_replaces_one_of_two_readings);
     return UNITY_END();
 }

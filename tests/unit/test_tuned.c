@@ -265,6 +265,112 @@ static void test_table_falls_with_distance_and_rises_with_speed(void)
     TEST_ASSERT_TRUE(lut_at(LUT_IN1_CELLS - 1, 0) <= 6);
 }
 
+static void test_restart_lets_go_of_the_hold(void)
+{
+    uint8_t i;
+
+    law_step(TARGET_NEW, 3000);
+    for (i = 0; i < 100; i++) {
+        law_step(TARGET_TRACKED, 3000);
+    }
+    TEST_ASSERT_EQUAL_UINT8(EASE_HOLD_PCT, law_answer.brake_pct);
+    law_restart();
+    law_step(TARGET_TRACKED, 3000);
+    TEST_ASSERT_TRUE(law_answer.brake_pct < EASE_HOLD_PCT);
+    for (i = 0; i < 100; i++) {
+        law_step(TARGET_TRACKED, 3000);
+    }
+    law_step(TARGET_NEW, 3000); /* another one */
+    TEST_ASSERT_TRUE(law_answer.brake_pct < EASE_HOLD_PCT);
+}
+
+/* 80 mm in 1/16 s: 1.28 m/s. */
+static void test_first_sight_at_the_edge_brakes_as_the_cell_says(void)
+{
+    look(RANGE_NO_TARGET, 0);
+    look(RANGE_ECHO, 4920);
+    TEST_ASSERT_EQUAL_UINT8(lut_at(row_of(4920), col_of(1280)), brake.brake_pct);
+    TEST_ASSERT_TRUE(brake.brake_pct != 0 && brake.brake_pct < LAW_TUNED_FIRST_PCT);
+}
+
+/* --- bits that turn over ---------------------------------------------------------------------- */
+
+static bool each_bit_shows(uint8_t (*sum_of)(void), uint8_t *byte)
+{
+    uint8_t mask;
+
+    for (mask = 1; mask != 0; mask = (uint8_t)(mask << 1)) {
+        uint8_t sum = sum_of();
+
+        *byte ^= mask;
+        if (sum_of() == sum) {
+            return false;
+        }
+        *byte ^= mask;
+    }
+    return true;
+}
+
+/* Each byte shows, even where another one has all bits set. */
+static void test_the_sum_shows_each_byte_beside_one_of_all_ones(void)
+{
+    uint8_t sum;
+
+    brake.brake_pct = 0xFF;
+    sum = brake_sum();
+    brake.stop = !brake.stop;
+    TEST_ASSERT_TRUE(brake_sum() != sum);
+    brake.stop = !brake.stop;
+    brake.overridden = !brake.overridden;
+    TEST_ASSERT_TRUE(brake_sum() != sum);
+    brake.overridden = !brake.overridden;
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &demand_pct));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &override_cs));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &latch_state));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &fault_state));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &target_worth));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &closing_span_cs));
+    target_worth = 0xFF;
+    TEST_ASSERT_TRUE(each_bit_shows(target_sum, &since_cs));
+    TEST_ASSERT_TRUE(each_bit_shows(target_sum, &since_aside_cs));
+    TEST_ASSERT_TRUE(each_bit_shows(target_sum, &stuck_readings));
+    TEST_ASSERT_TRUE(each_bit_shows(target_sum, &clears));
+    TEST_ASSERT_TRUE(each_bit_shows(target_sum, (uint8_t *)&aside_mm));
+    TEST_ASSERT_TRUE(each_bit_shows(target_sum, (uint8_t *)&aside_mm + 1));
+}
+
+/* Up to 100 %, and no more than there is. */
+static void test_begun_anew_the_demand_is_kept_if_it_can_be(void)
+{
+    demand_pct = 100;
+    brake_begin_anew();
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+    TEST_ASSERT_FALSE(brake.stop);
+    demand_pct = 101;
+    brake_begin_anew();
+    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+}
+
+/* A STOP on trial is one, and none is none. */
+static void test_begun_anew_the_latch_has_one_vote(void)
+{
+    brake.stop = true;
+    latch_state = LATCH_TRIAL;
+    brake_begin_anew();
+    TEST_ASSERT_TRUE(brake.stop);
+    brake_init(BRAKE_FAULT_NONE);
+    brake.stop = true;
+    brake_begin_anew();
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
+static void test_begun_anew_a_lasting_fault_is_one(void)
+{
+    brake_init(BRAKE_FAULT_RAM);
+    brake_begin_anew();
+    TEST_ASSERT_EQUAL_UINT8(FAULT_LASTING, fault_state);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -284,5 +390,11 @@ int main(void)
     RUN_TEST(test_stop_needs_none_of_it);
     RUN_TEST(test_warning_comes_800_ms_before_hard_braking_or_with_the_second_reading);
     RUN_TEST(test_table_falls_with_distance_and_rises_with_speed);
+    RUN_TEST(test_restart_lets_go_of_the_hold);
+    RUN_TEST(test_first_sight_at_the_edge_brakes_as_the_cell_says);
+    RUN_TEST(test_the_sum_shows_each_byte_beside_one_of_all_ones);
+    RUN_TEST(test_begun_anew_the_demand_is_kept_if_it_can_be);
+    RUN_TEST(test_begun_anew_the_latch_has_one_vote);
+    RUN_TEST(test_begun_anew_a_lasting_fault_is_one);
     return UNITY_END();
 }
