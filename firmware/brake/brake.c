@@ -125,7 +125,8 @@ uint8_t brake_sum(void)
             target_worth, closing_place_mm, closing_difference, closing_smooth,
             since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
             clears, smooth_2mmps;
-    ensures brake_is_valid && brake_is_settled && !is_within; */
+    ensures brake_is_valid && brake_is_settled && !is_within;
+    ensures silence_cs == 0 && good_readings == 0 && clear_readings == 0 && override_cs == 0; */
 void brake_begin_anew(void)
 {
     bool is_lasting = fault_state == FAULT_LASTING;

@@ -59,7 +59,8 @@ extern struct brake_output brake;
     ensures !brake.overridden && !brake.stop;
     ensures fault != BRAKE_FAULT_NONE ==>
                 brake.state == BRAKE_FAULT && brake.brake_pct == FAULT_PCT;
-    ensures fault >= BRAKE_FAULT_TABLE ==> fault_state == FAULT_LASTING; */
+    ensures fault_state == (fault == BRAKE_FAULT_NONE   ? FAULT_GOOD :
+                            fault >= BRAKE_FAULT_TABLE ? FAULT_LASTING : FAULT_ON); */
 void brake_init(uint8_t fault);
 
 /* Goes to FAULT for one of the lasting faults, unless one is there. */

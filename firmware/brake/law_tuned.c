@@ -60,7 +60,8 @@ static uint16_t least_closing_mmps(uint8_t worth, uint16_t way_mm)
     assigns law_answer;
     ensures law_is_valid;
     ensures law_answer.brake_pct <= 100;
-    ensures worth == TARGET_ENTERED ==> law_answer.brake_pct <= LAW_TUNED_FIRST_PCT; */
+    ensures first_is_gentle: worth == TARGET_ENTERED ==>
+                law_answer.brake_pct <= LAW_TUNED_FIRST_PCT; */
 static void look_at_entered(uint8_t worth, uint16_t dist_mm)
 {
     uint16_t closing_mmps = least_closing_mmps(worth, (uint16_t)(LAW_FAR_MM - dist_mm));
@@ -80,7 +81,8 @@ static void look_at_entered(uint8_t worth, uint16_t dist_mm)
 /*@ requires law_is_valid;
     assigns still_readings, hold_pct;
     ensures law_is_valid;
-    ensures worth == TARGET_ENTERED ==> law_answer.brake_pct <= LAW_TUNED_FIRST_PCT; */
+    ensures first_is_gentle: worth == TARGET_ENTERED ==>
+                law_answer.brake_pct <= LAW_TUNED_FIRST_PCT; */
 void law_step(uint8_t worth, uint16_t dist_mm)
 {
     if (worth != TARGET_TRACKED) {

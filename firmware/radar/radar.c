@@ -162,6 +162,10 @@ static uint8_t wanted_state(void)
     ensures radar_holds: \old(radar.state) == RADAR_BRAKING && radar.state < RADAR_BRAKING ==>
                 (radar.closing_dkmh <= 0 && \old(frames_less) + 1 >= FRAMES_LESS) ||
                 \old(frames_less) + 1 >= FRAMES_AWAY;
+    ensures radar_over_fault: \old(radar.state) == RADAR_FAULT && \old(is_approach) &&
+                radar.state < RADAR_BRAKING ==>
+                (radar.closing_dkmh <= 0 && \old(frames_less) + 1 >= FRAMES_LESS) ||
+                \old(frames_less) + 1 >= FRAMES_AWAY;
     ensures radar_holds: radar.state < RADAR_BRAKING || radar.brake_pct >= BRAKE_COAST_PCT ||
                 radar.brake_pct == \old(radar.brake_pct); */
 void radar_decide(void)
@@ -204,6 +208,8 @@ void radar_decide(void)
 /*@ requires radar_counts;
     assigns is_approach, frames_less, frames_closing, asked_pct;
     ensures radar_counts;
+    ensures radar_over_fault: \old(radar.state) == RADAR_HOLDING ||
+                \old(radar.state) == RADAR_BRAKING || \old(is_approach) ==> is_approach;
     ensures radar_silence: radar.state == RADAR_FAULT && radar.brake_pct >= fault_pct &&
                 radar.brake_pct >= \old(radar.brake_pct); */
 void radar_lose(uint8_t fault_pct)

@@ -128,10 +128,44 @@ if [ $# -eq 1 ]; then
     exit
 fi
 
+# After all units: each function of the firmware, but for mcu and main.c, has a contract that WP has proved, or stands in
+# without.txt with the reason.
+by_contract() {
+    local unit status=0
+    # Partially proven: a clause `tried` is among its reasons. tried_*.c have functions that no unit of WP has.
+    for unit in tests/prove/wp_*.c tests/prove/tried_*.c; do
+        unit=$(basename -s .c "$unit")
+        functions_of "$unit" | awk -F '[ \t]' -v csv="$out/$unit.csv" '
+            BEGIN { while ((getline line < csv) > 0) { split(line, at, "\t"); if (at[5] == "assigns clause" && at[6] ~ /^(Valid|Partially proven)$/) proved[at[4]] } }
+            { print ($3 in proved ? "proved" : "open"), $1, $3 }'
+    done | grep '^[a-z]* firmware/' | grep -v '/mcu/\|/main\.c' | sort -u >"$out/contracts"
+    {
+        for file in firmware/*/*.c; do
+            grep -q " $file " "$out/contracts" || echo "open $file -"
+        done | grep -v 'firmware/\(mcu\|bringup\|examples\)/\|/main\.c'
+        cat "$out/contracts"
+    } | awk -v reasons=tests/prove/without.txt '
+        BEGIN { while ((getline line < reasons) > 0) if (line !~ /^#/) { split(line, at, " "); reason[at[1] " " at[2]] = 1 } }
+        $1 == "proved" { proved[$2 " " $3] }
+        $1 == "open" { open[$2 " " $3] }
+        END {
+            for (name in proved) if (name in reason) { print "contracts: " name ": is proved; take it out of " reasons; bad = 1 }
+            for (name in open) if (!(name in proved)) {
+                if (name in reason) { without++; delete reason[name] } else { print "contracts: " name ": no contract that WP has proved: give it one, or say why not in " reasons; bad = 1 }
+            }
+            for (name in reason) if (!(name in proved)) { print "contracts: " name ": stands in " reasons ", but there is no such function without contract"; bad = 1 }
+            print "contracts: " length(proved) " functions have one that is proved, " without + 0 " stand in " reasons
+            exit bad
+        }' || status=1
+    return $status
+}
+
 # All that are asked for, two at a time.
 [ $# -gt 0 ] || mapfile -t all < <(find tests/prove -name 'wp_*.c' -o -name 'eva_*.c' -o -name 'tried_*.c' -o -name sizes.c | sort -r)
 for unit in "${@:-${all[@]}}"; do
     basename -s .c "$unit"
 done >"$out/units"
 # shellcheck disable=SC2016  # the inner shell expands it
-xargs -P 2 -I UNIT bash -c '"$0" "$1" >"$2/$1.txt" 2>&1; status=$?; cat "$2/$1.txt"; [ $status -eq 0 ]' "$PWD/tests/prove/prove.sh" UNIT "$out" <"$out/units" || exit 1
+xargs -P 2 -I UNIT bash -c '"$0" "$1" >"$2/$1.txt" 2>&1; status=$?; cat "$2/$1.txt"; [ $status -eq 0 ]' "$PWD/tests/prove/prove.sh" UNIT "$out" <"$out/units" || status=1
+[ $# -gt 0 ] || by_contract || status=1
+exit "${status:-0}"

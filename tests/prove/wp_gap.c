@@ -7,6 +7,7 @@
  * theorem gap_emergency: EMERGENCY brakes fully, with the throttle closed
  * theorem gap_two_frames: a single frame never releases the brake, opens the throttle or ends EMERGENCY
  */
+#define BITS_NEGATIVE
 #include "bits.h"
 #include "fixed.h"
 #include "gap.c"

@@ -5,6 +5,7 @@
  *
  * The tuned law, from any state that can be.
  *
+ * theorem first_is_gentle: the first reading of a target that entered brakes with LAW_TUNED_FIRST_PCT at most
  * theorem t5_cell: the law looks into a cell of its table, and what it says is 0 to 100 %
  */
 #define ESTIMATOR_smooth
