@@ -29,7 +29,7 @@ static void change(void)
         changes++;
     }
     since = hal_ticks();
-    /* Galois' shift register of 8 bits: after up to 64 rounds more, which are more than a period. */
+    /* Galois' shift register of 8 bits: up to 64 rounds more, which are more than a period. */
     noise = noise & 1 ? noise >> 1 ^ 0xB8 : noise >> 1;
     rounds = (noise & 63U) + 1U;
 }
