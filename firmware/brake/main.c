@@ -111,18 +111,19 @@ static void report(void)
     ensures pin_stop == brake.stop && pin_brake_pct == brake.brake_pct; */
 static void control_step(uint8_t echo)
 {
-    uint8_t kind = RANGE_NOT_RISEN;
-    uint16_t dist_mm = 0;
+    uint8_t kind;
+    uint16_t dist_mm;
 
     is_measuring = false;
-    if (echo == HAL_ECHO_NOT_FALLEN) {
-        kind = RANGE_NOT_FALLEN;
-    } else if (echo == HAL_ECHO_DONE) {
+    if (echo == HAL_ECHO_DONE) {
         dist_mm = range_mm(hal_echo_cycles());
         kind = range_kind(dist_mm);
         if (kind == RANGE_ECHO && brake_must_stop(dist_mm)) {
             hal_stop_set(true); /* before estimator and table, whatever they say */
         }
+    } else {
+        dist_mm = 0;
+        kind = echo == HAL_ECHO_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
     }
     brake_step(kind, dist_mm);
     apply();
@@ -375,6 +376,7 @@ void main(void)
             test();
         } else {
             check();
+            poll();
             if (!hal_code_is_good()) {
                 brake_fail(BRAKE_FAULT_TABLE);
                 seal();
@@ -401,12 +403,14 @@ void main(void)
             apply();
             poll();
             show();
+            poll();
 
             /* Every 60 ms. */
             if ((uint8_t)(tick - triggered) >= TRIGGER_TICKS) {
                 measure();
             }
             seal();
+            poll();
         }
 
         /* Nothing above took so long that a tick went by unseen. */

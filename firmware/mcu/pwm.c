@@ -106,7 +106,7 @@ void hal_brake_set(uint8_t brake_pct)
      * and sets it. */
     high = TH1;
     high += TL1 >> 7;
-    if (high >= 128U && !is_second) {
+    if ((high & 0x80U) != 0 && !is_second) {
         take_new();
         prepare_first();
     }
