@@ -17,13 +17,13 @@ shellcheck "${scripts[@]}" || failed=1
 # nullPointerRedundantCheck: cppcheck does not know that a failed assertion of Unity ends the test.
 # unsignedLessThanZero: the image `none` stops at a distance of 0, so `dist_mm <= BRAKE_STOP_MM` is meant.
 # redundantAssignment: a watchdog's register takes two values in a row.
-# syntaxError: cppcheck cannot read SDCC's __asm, so it does not check start.c.
+# syntaxError: cppcheck cannot read SDCC's __asm, so it does not check start.c and code.c.
 check_c() { # OPTION|FILE...
     cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability --inline-suppr --max-configs=1 \
         --suppress=missingIncludeSystem --suppress=unmatchedSuppression --suppress="*:build/*" \
         --suppress=variableScope --suppress=knownConditionTrueFalse --suppress="nullPointerRedundantCheck:tests/*" \
         --suppress=unsignedLessThanZero --suppress="redundantAssignment:tests/tools/images/*" --suppress=toomanyconfigs \
-        --suppress="syntaxError:firmware/mcu/start.c" "$@" || failed=1
+        --suppress="syntaxError:firmware/mcu/start.c" --suppress="syntaxError:firmware/mcu/code.c" "$@" || failed=1
 }
 
 # Each C file is checked with the options that make compiles it with, the firmware for one board.
@@ -32,12 +32,12 @@ mkdir -p build
 make -nB BOARD=$board V=1 test-build >build/lint.make || exit 2
 grep -oE 'build/[^ ]*lut_table\.h' build/lint.make | sort -u | xargs make -s BOARD=$board >/dev/null || exit 2
 awk '
-    / -c / {
-        of_chip = $1 == "sdcc"
+    / -c |tools\/compile.sh / {
+        of_chip = /(^| )sdcc /
         if (of_chip && /-DUNITY/) next # a unit test, which the host compiles, too
         options = of_chip ? "chip" : "host"
-        for (i = 1; i < NF; i++) if ($i ~ /^-[DI]/ && $i !~ /^-DIDENTITY=/) options = options " " $i
-        for (i = 1; i < NF; i++) if ($i == "-c" && !seen[options, $(i + 1)]++) files[options] = files[options] " " $(i + 1)
+        for (i = 1; i <= NF; i++) if ($i ~ /^-[DI]/ && $i !~ /^-DIDENTITY=/) options = options " " $i
+        for (i = 1; i < NF; i++) if ($i == "-c" || $i == "tools/compile.sh") if (!seen[options, $(i + 1)]++) files[options] = files[options] " " $(i + 1)
     }
     END { for (options in files) print options files[options] }' build/lint.make | tr -d "'" >build/lint.txt
 

@@ -33,8 +33,7 @@ static bool has_run_wild;  /* main began again without a reset */
 static uint8_t triggered; /* tick of the last trigger */
 static bool is_measuring;
 
-static uint8_t
-    sealed; /* the sum of what the decision and its clock keep, when they last changed it */
+static uint8_t sealed; /* sum_up's, when the decision or its clock last changed */
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */

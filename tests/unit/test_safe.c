@@ -43,15 +43,14 @@ static void test_it_never_falls_as_speed_rises(void)
 }
 
 #ifndef __SDCC_mcs51
-static void test_it_is_the_formula_to_two_centimetres(void)
+static void test_it_is_the_formula_to_2_2_cm(void)
 {
     for (uint16_t own_dkmh = 0; own_dkmh <= SAFE_SPEED_MAX_DKMH; own_dkmh++) {
         double own_mps = own_dkmh / 36.0;
-        double safe_cm = (own_mps * 2.5 + own_mps * own_mps * (1 / 5.0 - 1 / 13.0) + 5) * 100;
-        if (safe_cm > 65535) {
-            safe_cm = 65535;
-        }
-        TEST_ASSERT_DOUBLE_WITHIN(2.2, safe_cm, safe_distance_cm(own_dkmh));
+        double exact_cm = (own_mps * 2.5 + own_mps * own_mps * (1 / 5.0 - 1 / 13.0) + 5) * 100;
+
+        TEST_ASSERT_DOUBLE_WITHIN(2.2, exact_cm < 65535 ? exact_cm : 65535,
+                                  safe_distance_cm(own_dkmh));
     }
 }
 #endif
@@ -64,7 +63,7 @@ int main(void)
     RUN_TEST(test_beyond_16_bits_it_stays_at_the_top);
     RUN_TEST(test_it_never_falls_as_speed_rises);
 #ifndef __SDCC_mcs51
-    RUN_TEST(test_it_is_the_formula_to_two_centimetres);
+    RUN_TEST(test_it_is_the_formula_to_2_2_cm);
 #endif
     return UNITY_END();
 }
