@@ -200,6 +200,7 @@ modules() { # BOARD APP
         END { print line " library " all - sum }' | xargs -n 12 | sed 's/^/        /'
 }
 
+set_goal_mc=1600
 for board; do
     clk_hz=$(s51_board "$board" CLK_HZ)
     for app in brake tuned; do
@@ -210,16 +211,16 @@ for board; do
         *) table= ;;
         esac
         echo "$board, $app, at $((clk_hz / 1000)) kHz:"
-        # A part of the main loop's round, then the step. Both had 1,000 until the step began to
-        # decide between two hypotheses and was given 1,500; 500 are left for what these readings find the
+        # A part of the main loop's round, then the step: its 1,500, and what these readings find the
         # loop at. Not a bound: that is `talk` and `control_step` of build/BOARD/APP.bound.
-        row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" 2000 mc
+        row 'echo end to duty set, worst, mc' "$(value "$board" $app set_most)" $set_goal_mc mc
         row 'the step alone, mc' "$(value "$board" $app step_most)" 1500 mc
         row 'no path of the step takes more, mc' "$(bounded "$board" $app control_step)" 1500 mc
         # Without the loop's part, from the poll on, tests/bench/brake.c holds it to 300.
         row 'echo end to STOP pin, worst, mc' "$(value "$board" $app stop_most)" 1000 mc
-        # A period of the PWM, 0.14 ms of notice for it, and the time until the duty is set.
-        row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" 11300 us
+        # A period of the PWM, its notice of 128 cycles, and the time until the duty is set.
+        row 'echo end to duty on the pin, worst, us' "$(value "$board" $app pin_us)" \
+            $((10000 + (128 + set_goal_mc) * 12000 / (clk_hz / 1000))) us
         if [ -n "$table" ]; then
             read -r _ _ _ _ _ most _ < <(tests/lut/run.sh "build/lut/$table")
             row "table fetch, $table, mc" "$most" "$([ "$encoding" = plain ] && echo 24 || echo 120)" mc
