@@ -19,9 +19,11 @@ static void put(uint8_t at, uint16_t value)
 
 void bench_payload(uint16_t n)
 {
+#ifdef __SDCC_mcs51 /* line.c has the payloads alone */
     if (park.state == PARK_DEAD_ZONE) {
         park_init(); /* a start again */
     }
+#endif
     put(0, (uint16_t)(n % XS * 1463U - 10240U));
     n /= XS;
     put(2, (uint16_t)(n % YS * 1259U + 256U));
