@@ -84,7 +84,7 @@ check "the brake says how many rows it holds" test "$slack" -ge 0
 make BOARD=stc89c516rd build/fistab build/bound build/drive >"$out/make.log" 2>&1 || say "the tools build" 1 "$(tail -n 3 "$out/make.log")"
 own from_0 stc89c516rd "0 3" "0 35" "0 100" 100x100 "" 1.5 5
 own from_1_mm generic8052 "0.001 3" "0 35" "0 100" 100x100 "" 1.5 5
-own packed at89s52 "0.1 3" "0 12" "0 100" 100x100 "" 1.5 5
+own packed at89s52 "0.1 3" "0 12" "0 100" 96x96 "" 1.5 5
 own tiny_cells stc89c516rd "1.02 1.2" "0 2" "0 100" 250x100 "" 0.4 1.6
 own negative_speeds at89s52 "0.5 4.5" "-5 10" "0 100" 60x75 "" 1.5 5.5
 own few_rows stc89c516rd "0.5 4" "0 20" "0 100" 12x200 "" 2 5
