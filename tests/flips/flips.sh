@@ -19,19 +19,21 @@ registers=81-83,87-8D,90,98,A8,B0,B8,C8,CA-CD,D0,E0,F0
 # Drive, the least brake that it must keep, and instants, the most telling one first.
 drives=("approach 0 0.2 0.5 0.8 1.1" "follow 0 0.5 1 0.2 1.5" "stop 100 0.5 0.1 0.8 1.1" "fault 60 0.7 0.4 1 1.2" "start 0 -0.08 -0.14 -0.12 -0.02")
 
+# The image is linked anew beside the results: the listings of build/BOARD are those of the last link that
+# took an object, which may be another image's.
 symbol() { # NAME BOARD: the address of a variable
-    awk -v name="_$1:" '$NF == name || $NF == name ":" { print substr($1, 5); exit }' build/"$2"/brake/*/*.rst
+    awk -v name="_$1:" '$NF == name || $NF == name ":" { print substr($1, 5); exit }' "$out/$2"/brake/*/*.rst
 }
 
 fly() { # BOARD DRIVE LEAST WHAT AT...
     local board=$1 drive=$2 least=$3 what=$4 stack
     shift 4
-    stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' build/"$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' build/"$board"/brake.bound)))
+    stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' "$out/$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
     local options=(--ram=00-FF)
     [ "$what" != bits ] || options+=("--sfr=$registers")
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
-    build/flip --board="$board" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
+    build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
         --least="$least" --fault-state="$(symbol fault_state "$board")" --unused="$(printf %X $stack)" \
         --told="$(symbol stack_unused "$board")" "${options[@]}" -o "$out/$board.$drive.$what.csv"
 }
@@ -59,6 +61,7 @@ summary() { # BOARD
 status=0
 for board; do
     rm -f "$out/$board".*
+    make -s BOARD="$board" OUT="$out/$board" "$out/$board/brake.ihx" || exit 2
     for drive in "${drives[@]}"; do
         read -r name least at <<<"$drive"
         # shellcheck disable=SC2206  # a list of words

@@ -3,5 +3,4 @@
 FLIPS_BOARDS := $(or $(BOARD),at89s52 generic8052)
 .PHONY: run-flips
 run-flips: build/flip
-	@for board in $(FLIPS_BOARDS); do $(MAKE) BOARD=$$board build/$$board/brake.hex; done
 	@tests/flips/flips.sh $(FLIPS_BOARDS)

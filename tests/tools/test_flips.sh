@@ -5,12 +5,22 @@
 # is found in the next round of the main loop, which is FAULT; what is flipped while the decision is at work,
 # a ninth of the time, is taken for its own. And flip's own complaints.
 . tests/lib.sh
-board=generic8052
-make -s BOARD=$board build/$board/brake.ihx || exit 2
 
-address() { # NAME: of a variable
-    awk -v name="_$1:" '$NF == name || $NF == name ":" { print substr($1, 5); exit }' build/$board/brake/*/*.rst
+# The image is linked anew, because the listings of build/BOARD are those of the last link that took an
+# object, which may be another image's.
+link() { # BOARD
+    board=$1
+    make -s BOARD="$board" OUT="$out/$board" "$out/$board/brake.ihx" || exit 2
 }
+address() { # NAME: of a variable
+    awk -v name="_$1:" '$NF == name || $NF == name ":" { print substr($1, 5); exit }' "$out/$board"/brake/*/*.rst
+}
+flip() { # SCENARIO OPTION...
+    local scenario=$1
+    shift
+    build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$scenario.scn" "$@"
+}
+link generic8052
 bytes() { # NAME BYTES
     printf '%X-%X' $((0x$(address "$1"))) $((0x$(address "$1") + $2 - 1))
 }
@@ -19,7 +29,7 @@ bytes() { # NAME BYTES
 remembered=$(bytes demand_pct 1),$(bytes override_cs 1),$(bytes fault_code 1),$(bytes silence_cs 1)
 remembered+=,$(bytes latch_state 1),$(bytes target_worth 1),$(bytes since_cs 1),$(bytes closing_smooth 4)
 remembered+=,$(bytes closing_place_mm 2),$(bytes smooth_mm 2),$(bytes triggered 1),$(bytes tick 1),$(bytes ticks 1)
-build/flip --board=$board --scenario=tests/flips/stop.scn --at=0.5 --ram="$remembered" --least=100 \
+flip stop --at=0.5 --ram="$remembered" --least=100 \
     --fault-state="$(address fault_state)" -o "$out/remembered.csv"
 say "flip ends" $?
 check "it flips 144 bits" awk -F , 'NR > 1 { n++ } END { exit n != 144 }' "$out/remembered.csv"
@@ -27,20 +37,20 @@ check "no bit that flips lets go of STOP" awk -F , '$6 == "unsafe" || $6 == "los
 check "five in six are found" awk -F , '$6 == "FAULT" { n++ } END { exit n < 144 * 5 / 6 }' "$out/remembered.csv"
 
 # In CONTROL the brake goes on as it was, or harder.
-build/flip --board=$board --scenario=tests/flips/approach.scn --at=0.5 --fault-state="$(address fault_state)" \
+flip approach --at=0.5 --fault-state="$(address fault_state)" \
     --ram="$(bytes brake 5),$(bytes demand_pct 1),$(bytes fault_state 1),$(bytes latch_state 1)" -o "$out/approach.csv"
 check "no bit of the decision leads to an impact or lets go of the brake" \
     awk -F , '$6 == "unsafe" || $6 == "lost" { exit 1 } END { exit NR != 65 }' "$out/approach.csv"
 
 # The stack pointer and the register bank are right again in the next round.
-build/flip --board=$board --scenario=tests/flips/follow.scn --at=0.5 --sfr=D0 -o "$out/flags.csv"
+flip follow --at=0.5 --sfr=D0 -o "$out/flags.csv"
 check "no flag that flips stays so" awk -F , 'NR > 1 && $6 != "none" && $6 != "corrected" && $6 != "safe-stop" { n++ } END { exit n > 1 }' "$out/flags.csv"
 
-# The code is summed up all the time: within 2.5 s, which is what is left of the drive, a bit that changes
-# is FAULT. Some change what finds it.
-for board in at89s52 generic8052; do
-    make -s BOARD=$board build/$board/brake.ihx || exit 2
-    build/flip --board=$board --scenario=tests/flips/stop.scn --what=code --count=60 --at=0.94 \
+# The code is summed up all the time, once the first pass is over, which learns the sum: within 2.5 s, which
+# is what is left of the drive, a bit that changes is FAULT. Some change what finds it.
+for name in at89s52 generic8052; do
+    link "$name"
+    flip stop --what=code --count=60 --at=1.5 \
         --fault-state="$(address fault_state)" -o "$out/$board.csv"
     check "a bit of the code is found within 2.5 s on $board" \
         awk -F, '$6 == "FAULT" || $6 == "watchdog" { n++ } END { exit !(NR == 61 && n >= 57) }' "$out/$board.csv"
@@ -54,6 +64,6 @@ refuses "a bad instant" 2 "--at=soon: give a number" build/flip "${good[@]}" --a
 refuses "a bad address" 2 "--ram=100: give a hexadecimal number" build/flip "${good[@]}" --ram=100
 refuses "a register below 80" 2 "--sfr=7F: give a hexadecimal number" build/flip "${good[@]}" --sfr=7F
 refuses "an unknown kind" 2 "--what=all: give bits, stuck, code or pc" build/flip "${good[@]}" --what=all
-refuses "no scenario file" 1 "none.scn" build/flip --board=$board --scenario=none.scn --at=0
-refuses "an image that never measures" 2 "does not begin" build/flip "${good[@]}" --hex=build/$board/bringup.ihx
+refuses "no scenario file" 1 "none.scn" build/flip --board="$board" --scenario=none.scn --at=0
+refuses "an image that never measures" 2 "does not begin" build/flip "${good[@]}" --hex="build/$board/bringup.ihx"
 finish
