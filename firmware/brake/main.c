@@ -42,7 +42,6 @@ static bool is_talking;
 static char command; /* waits for the line under way to end; 0: none */
 #define SAY_HEADER '\1'
 
-static const char __code TITLE[] = "# %s reset=%s\r\n";
 static const char __code HEADER[] = "seq,ms,dist_mm,closing_mmps,row,col,brake_pct,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%o,%s%u,%u,%u,%u,%s,%u\r\n";
 static const char __code STATUS[] = "# state=%s fault=%u dropped=%u stack_unused=%u\r\n";
@@ -51,7 +50,6 @@ static const char __code UNKNOWN[] = "# unknown command; ? for help\r\n";
 static const char __code ON[] = "# telemetry on\r\n";
 static const char __code OFF[] = "# telemetry off\r\n";
 static const char __code *const __code STATES[] = {"RELEASED", "CONTROL", "STOP", "FAULT"};
-static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
 
 /* Holds from the start on; pin_ is what tests/prove/pins.h sees at the pins. */
 /*@ predicate main_is_valid =
@@ -283,14 +281,6 @@ static void listen(void)
     }
 }
 
-/*@ assigns telemetry_values[0 .. 1]; */
-static void title(void)
-{
-    telemetry_values[0].text = identity;
-    telemetry_values[1].text = RESETS[hal_reset_cause()];
-    telemetry_say(TITLE);
-}
-
 /*@ requires brake.state <= BRAKE_FAULT;
     assigns telemetry_values[0 .. 3]; */
 static void status(void)
@@ -312,7 +302,7 @@ static void answer(void)
     command = 0;
     switch (asked) {
     case 'v':
-        title();
+        identity_say();
         command = SAY_HEADER;
         break;
     case SAY_HEADER:

@@ -35,12 +35,10 @@ static const struct step __code STEPS[] = {
 #define STEP_COUNT (sizeof STEPS / sizeof STEPS[0])
 #define STEP_ECHO  (STEP_COUNT - 1U)
 
-static const char __code TITLE[] = "# %s reset=%s\r\n";
 static const char __code TESTED[] = "# table %s, RAM %s; any key or the button: next step\r\n";
 static const char __code STEP[] = "# step %s\r\n";
 static const char __code DISTANCE[] = "dist_mm=%u\r\n";
 static const char __code REMARK[] = "# echo: %s\r\n";
-static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
 static const char __code *const __code READINGS[] = {
     "", /* RANGE_ECHO */
     "no target within 6 m",
@@ -160,9 +158,7 @@ static void begin_line(void)
     say = SAY_NOTHING;
     switch (what) {
     case SAY_TITLE:
-        telemetry_values[0].text = identity;
-        telemetry_values[1].text = RESETS[hal_reset_cause()];
-        telemetry_say(TITLE);
+        identity_say();
         say = SAY_TESTED;
         break;
     case SAY_TESTED:

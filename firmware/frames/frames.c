@@ -27,9 +27,6 @@ static uint8_t fault; /* enum frames_fault */
 static __idata uint16_t seq; /* control steps reported or dropped */
 static __idata uint8_t said; /* how many of the two lines at the start were sent */
 
-static const char __code TITLE[] = "# %s reset=%s\r\n";
-static const char __code *const __code RESETS[] = {"power-on", "watchdog", "pin"};
-
 /* One line of telemetry for each control step. If the line before is still being sent, this one is
  * dropped; its missing number shows it. */
 static void report(void)
@@ -170,9 +167,7 @@ static void talk(void)
         hal_uart_put(c);
     } else if (said == 0) {
         said = 1;
-        telemetry_values[0].text = identity;
-        telemetry_values[1].text = RESETS[hal_reset_cause()];
-        telemetry_say(TITLE);
+        identity_say();
     } else if (said == 1) {
         said = 2;
         telemetry_say(app.header);

@@ -3,7 +3,8 @@
 #include "hal.h"
 #include "machine.h"
 
-const char identity[] = "any";
+#define IDENTITY "any"
+#include "identity.c"
 
 #include "lut.c"
 #undef LUT_DATA

@@ -7,7 +7,8 @@
 #include "hal_head.h"
 #include "machine.h"
 
-const char identity[] = "any";
+#define IDENTITY "any"
+#include "identity.c"
 
 #include "fixed.c"
 #include "lamp.c"
