@@ -72,12 +72,15 @@ static void demand_fault(void)
 #endif
 }
 
-/*@ assigns brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,
-            fault_state, fault_code, silence_cs, good_readings,
-            latch_state, clear_readings, elsewhere_readings, left_readings,
-            target_worth, closing_place_mm, closing_difference, closing_smooth,
-            since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
-            clears, smooth_2mmps;
+/* What a beginning sets, for contracts. */
+#define BEGINNING                                                                                  \
+    brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,       \
+        fault_state, fault_code, silence_cs, good_readings, latch_state, clear_readings,           \
+        elsewhere_readings, left_readings, target_worth, closing_place_mm, closing_difference,     \
+        closing_smooth, since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near,         \
+        stuck_readings, clears, smooth_2mmps
+
+/*@ assigns BEGINNING;
     ensures brake_is_valid && brake_is_settled && !is_within;
     ensures silence_cs == 0 && good_readings == 0 && clear_readings == 0 && override_cs == 0; */
 void brake_init(uint8_t fault)
@@ -119,12 +122,7 @@ uint8_t brake_sum(void)
            override_cs ^ latch_sum() ^ fault_sum() ^ target_sum() ^ closing_sum();
 }
 
-/*@ assigns brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,
-            fault_state, fault_code, silence_cs, good_readings,
-            latch_state, clear_readings, elsewhere_readings, left_readings,
-            target_worth, closing_place_mm, closing_difference, closing_smooth,
-            since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
-            clears, smooth_2mmps;
+/*@ assigns BEGINNING;
     ensures brake_is_valid && brake_is_settled && !is_within;
     ensures silence_cs == 0 && good_readings == 0 && clear_readings == 0 && override_cs == 0; */
 void brake_begin_anew(void)

@@ -214,9 +214,6 @@ uint8_t target_echo(uint16_t dist_mm)
         return BRAKE_FAULT_JUMP;
     }
     since_aside_cs = LONG_AGO_CS;
-    if (worth == TARGET_ENTERED_LATE) {
-        set_target_aside();
-    }
     target_worth = worth;
     if (worth == TARGET_TRACKED) {
         closing_take(echo_mm, since_cs);
