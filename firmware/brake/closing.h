@@ -10,9 +10,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "cc51.h"
+#include "range.h"
 
 /* Two places are so far apart in time, 1/100 s; less counts as the least, more as the most. */
-#define CLOSING_SPAN_MIN_CS 5U
+#define CLOSING_SPAN_MIN_CS RANGE_SPAN_MIN_CS
 #define CLOSING_SPAN_MAX_CS 31U
 
 /* A place is at most so far from where alpha-beta sees the target. */

@@ -13,7 +13,7 @@
  *           stands, or the one ahead slows down as much, where braking is right as well. From then
  *           on the least brake rises by 1 % a reading up to EASE_HOLD_PCT. It ends when the gap
  *           opens by EASE_OPENING_MMPS, three times the smooth estimator's noise, or the target
- * goes.
+ *           goes.
  *
  * It assumes a throttle that is cut while the brake is on, and the smooth estimator. State: the
  * readings counted so far and the hold. Portable. */
@@ -29,7 +29,7 @@
 #define EASE_SHIFT          2U    /* 1024 >> 2 is 256, which means 1 */
 #define EASE_NEAR_MM        1800U
 #define EASE_STILL_MMPS     100U
-#define EASE_STILL_READINGS 32U /* 1.9 s */
+#define EASE_STILL_READINGS RANGE_READINGS(192U)
 #define EASE_HOLD_PCT       30U
 
 /* A target that was not there before. */

@@ -4,8 +4,8 @@
  *   state     believed reading     reading not believed   180 ms without    a lasting fault
  *                                                         a believed one
  *   GOOD      GOOD                 GOOD, code: why        FAULT             LASTING
- *   FAULT     GOOD with the third  FAULT, code: why       FAULT             LASTING
- *             in a row, else FAULT
+ *   FAULT     GOOD after 180 ms of FAULT, code: why       FAULT             LASTING
+ *             them, else FAULT
  *   LASTING   LASTING              LASTING                LASTING           LASTING
  *
  * It starts in GOOD, after a watchdog reset in FAULT, after a failed self-test in LASTING. */
@@ -35,10 +35,10 @@ enum brake_fault {
     BRAKE_FAULT_STATE,      /* what the decision keeps in RAM changed by itself; does not last */
 };
 
-/* Three periods of the sensor without a believed reading, and how many such readings in a row end
- * FAULT. */
-#define FAULT_SILENCE_CS    (3U * RANGE_PERIOD_CS)
-#define FAULT_GOOD_READINGS 3U
+/* So long without a believed reading, and how many such readings in a row end FAULT: three, or as
+ * many as come in 180 ms. */
+#define FAULT_SILENCE_CS    RANGE_SILENCE_CS
+#define FAULT_GOOD_READINGS RANGE_READINGS_MIN(3U, 18U)
 
 enum fault_state { FAULT_GOOD, FAULT_ON, FAULT_LASTING };
 extern uint8_t fault_state;

@@ -12,7 +12,7 @@
 
 #define IDLE_MS 100U /* an echo cut off by a reset is over by then */
 
-#define TRIGGER_TICKS (RANGE_PERIOD_CS * 10U / HAL_TICK_MS)
+#define WAIT_TICKS (RANGE_WAIT_CS * 10U / HAL_TICK_MS)
 
 #define TICKS_LATE 3U /* that many never go by in one round: a bit of the clock has turned over */
 
@@ -30,7 +30,7 @@ static uint8_t table_test; /* enum selftest */
 static uint8_t idle_wait;  /* ticks */
 static bool has_run_wild;  /* main began again without a reset */
 
-static uint8_t triggered; /* tick of the last trigger */
+static uint8_t triggered; /* tick of the last trigger, or of the last reading without one */
 static bool is_measuring;
 
 static uint8_t sealed; /* sum_up's, when the decision or its clock last changed */
@@ -102,7 +102,7 @@ static void report(void)
 }
 
 /* From the end of the echo, or of the wait for it, to the pins. */
-/*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_ECHO_DONE;
+/*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_RANGE_DONE;
     ensures brake_is_valid && brake_is_settled && !is_measuring;
     ensures phase == \old(phase) && table_test == \old(table_test);
     ensures pin_stop == brake.stop && pin_brake_pct == brake.brake_pct; */
@@ -111,17 +111,24 @@ static void control_step(uint8_t echo)
     uint8_t kind;
     uint16_t dist_mm;
 
+#if RANGE_IS_TRIGGERED
     is_measuring = false;
-    if (echo == HAL_ECHO_DONE) {
-        dist_mm = range_mm(hal_echo_cycles());
+#else
+    triggered = tick; /* the next reading is under way */
+#endif
+    if (echo == HAL_RANGE_DONE) {
+        dist_mm = range_mm(hal_range_raw());
         kind = range_kind(dist_mm);
         if (kind == RANGE_ECHO && brake_must_stop(dist_mm)) {
             hal_stop_set(true); /* before estimator and table, whatever they say */
         }
     } else {
         dist_mm = 0;
-        kind = echo == HAL_ECHO_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
+        kind = echo == HAL_RANGE_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
     }
+#if !RANGE_IS_TRIGGERED
+    brake_expect(hal_range_elapsed_cs());
+#endif
     brake_step(kind, dist_mm);
     apply();
     seq++; /* counted as soon as the duty is set: where benches look */
@@ -164,7 +171,7 @@ static void check(void)
 }
 
 /* A measurement is over: the brake first, all else after it. */
-/*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_ECHO_DONE;
+/*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_RANGE_DONE;
     ensures main_is_valid && phase == \old(phase); */
 static void conclude(uint8_t echo)
 {
@@ -179,8 +186,8 @@ static void conclude(uint8_t echo)
     ensures main_is_valid && phase == \old(phase); */
 static void poll(void)
 {
-    if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
-        conclude(HAL_ECHO_DONE);
+    if (is_measuring && hal_range() == HAL_RANGE_DONE) {
+        conclude(HAL_RANGE_DONE);
         seal();
     }
 }
@@ -189,16 +196,20 @@ static void poll(void)
     ensures main_is_valid && phase == \old(phase); */
 static void measure(void)
 {
+#if RANGE_IS_TRIGGERED
     uint8_t elapsed_cs = (uint8_t)(tick - triggered);
+#endif
 
     triggered = tick;
     if (is_measuring) {
-        conclude(hal_echo());
+        conclude(hal_range());
     }
     stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
     hal_trigger();
     is_measuring = true;
+#if RANGE_IS_TRIGGERED
     brake_expect(elapsed_cs);
+#endif
 }
 
 /*@ requires fault <= BRAKE_FAULT_IDLE && table_test <= SELFTEST_FAILED;
@@ -231,7 +242,7 @@ static void test(void)
         fault = BRAKE_FAULT_RAM;
     } else if (table_test == SELFTEST_FAILED) {
         fault = BRAKE_FAULT_TABLE;
-    } else if (hal_echo_is_high()) {
+    } else if (hal_range_is_busy()) {
         if (idle_wait != 0) { /* the last echo before the reset may still be under way */
             return;
         }
@@ -394,8 +405,8 @@ void main(void)
             show();
             poll();
 
-            /* Every 60 ms. */
-            if ((uint8_t)(tick - triggered) >= TRIGGER_TICKS) {
+            /* Every 60 ms, or once the sensor is silent. */
+            if ((uint8_t)(tick - triggered) >= WAIT_TICKS) {
                 measure();
             }
             seal();

@@ -1,37 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* Echo ticks -> distance, and what a measurement is worth. Portable. */
+/* What a reading of the range sensor is, whichever sensor the image has. Portable. */
 #ifndef FUZZY51_RANGE_H
 #define FUZZY51_RANGE_H
 
 #include <stdint.h>
 #include "cc51.h"
 
-/* Speed of sound: 343.2 m/s at 20 C; 0.6 m/s more each degree. */
-#ifndef SOUND_MMPS
-#define SOUND_MMPS 343200UL
+/* The image's sensor (make SENSOR=...); the host's tests have the HC-SR04. */
+#if defined(SENSOR_tfluna)
+#include "tfluna.h"
+#else
+#include "hcsr04.h"
 #endif
-
-/* HC-SR04 class: nothing nearer than 2 cm, and a pulse of 36 ms or more when no echo came. */
-#define RANGE_MIN_MM 20U
-#define RANGE_MAX_MM 6000U
 
 /* The time from one reading to the next, and how many of them come in a time. */
-#ifndef RANGE_PERIOD_MS
-#define RANGE_PERIOD_MS 60U
-#endif
-#if RANGE_PERIOD_MS < 50 || RANGE_PERIOD_MS > 310 || RANGE_PERIOD_MS % 10 != 0
-#error STEP_MS must be 50 to 310, in steps of 10
-#endif
 #define RANGE_PERIOD_CS         (RANGE_PERIOD_MS / 10U)
 #define RANGE_READINGS(time_cs) (((time_cs) + RANGE_PERIOD_CS / 2U) / RANGE_PERIOD_CS)
+
+/* As many readings as come in a time, but at least so many. */
+#define RANGE_READINGS_MIN(least, time_cs)                                                         \
+    (RANGE_READINGS(time_cs) < (least) ? (least) : RANGE_READINGS(time_cs))
 
 /* A distance, a clear road, or one of the faults; never a distance that means something else. */
 enum range_kind {
     RANGE_ECHO,
     RANGE_NO_TARGET,
-    RANGE_NOT_RISEN,  /* the sensor never answered */
-    RANGE_NOT_FALLEN, /* its answer never ended */
-    RANGE_DEAD_ZONE,  /* shorter than it can measure */
+    RANGE_NOT_RISEN,  /* the sensor never answered; the TF-Luna: it is silent */
+    RANGE_NOT_FALLEN, /* its answer never ended; the TF-Luna: other light blinds it */
+    RANGE_DEAD_ZONE,  /* nearer than it can measure */
 };
 
 /* What the last measurement said; brake.c has it. */

@@ -90,8 +90,8 @@ static bool may_not_rest(void)
     ensures target_is_valid; */
 void target_expect(uint8_t elapsed_cs)
 {
-    if (elapsed_cs < CLOSING_SPAN_MIN_CS) {
-        elapsed_cs = CLOSING_SPAN_MIN_CS;
+    if (elapsed_cs < RANGE_ELAPSED_MIN_CS) {
+        elapsed_cs = RANGE_ELAPSED_MIN_CS;
     }
     if (elapsed_cs > LONG_AGO_CS) {
         elapsed_cs = LONG_AGO_CS;

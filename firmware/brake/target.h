@@ -68,8 +68,8 @@ enum target_worth {
  * approaches end in contact under the published table. With 3 for TARGET_FAR_CLEARS it would be
  * 19; with 5 it is 18 again (`lab trouble`). */
 #define TARGET_NEAR_MM        4096U /* a multiple of 256 */
-#define TARGET_GLIMPSE_CLEARS 2U
-#define TARGET_FAR_CLEARS     4U
+#define TARGET_GLIMPSE_CLEARS RANGE_READINGS_MIN(2U, 12U)
+#define TARGET_FAR_CLEARS     RANGE_READINGS_MIN(4U, 24U)
 #define TARGET_NEAR_CLEARS    RANGE_READINGS(120U)
 
 /* A target moved, on the mean over the time t before its last reading, at v. With 10 m/s2, the
@@ -80,7 +80,7 @@ enum target_worth {
 #define TARGET_STUCK_SMOOTH 4U
 /* Two readings that tell of so much, 8 m/s, are likelier a stray echo and one of a target. */
 #define TARGET_STUCK_NEW_MAX 32U
-#define TARGET_REST_READINGS RANGE_READINGS(300U)
+#define TARGET_REST_READINGS (RANGE_READINGS(300U) < 250U ? RANGE_READINGS(300U) : 250U)
 
 /*@ predicate target_is_worth(integer worth) = TARGET_NONE <= worth <= TARGET_TRACKED; */
 extern uint8_t target_worth; /* enum target_worth; the place is closing_place_mm */

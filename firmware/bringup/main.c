@@ -112,10 +112,10 @@ static void conclude(uint8_t echo)
 {
     is_measuring = false;
     reading = RANGE_NOT_RISEN;
-    if (echo == HAL_ECHO_NOT_FALLEN) {
+    if (echo == HAL_RANGE_NOT_FALLEN) {
         reading = RANGE_NOT_FALLEN;
-    } else if (echo == HAL_ECHO_DONE) {
-        dist_mm = range_mm(hal_echo_cycles());
+    } else if (echo == HAL_RANGE_DONE) {
+        dist_mm = range_mm(hal_range_raw());
         reading = range_kind(dist_mm);
     }
     say = SAY_READING;
@@ -125,7 +125,7 @@ static void measure(void)
 {
     since++;
     if (is_measuring && since == RANGE_PERIOD_CS) {
-        conclude(hal_echo());
+        conclude(hal_range());
     }
     if (since == MEASURE_MS / HAL_TICK_MS) {
         since = 0;
@@ -211,8 +211,8 @@ void main(void)
         }
         talk();
         listen();
-        if (is_measuring && hal_echo() == HAL_ECHO_DONE) {
-            conclude(HAL_ECHO_DONE);
+        if (is_measuring && hal_range() == HAL_RANGE_DONE) {
+            conclude(HAL_RANGE_DONE);
         }
         if (hal_ticks() == tick) {
             continue;

@@ -32,24 +32,24 @@ void hal_trigger(void)
     TR0 = 1;
 }
 
-uint8_t hal_echo(void)
+uint8_t hal_range(void)
 {
     if (was_high) {
-        return HAL_ECHO_NOT_FALLEN;
+        return HAL_RANGE_NOT_FALLEN;
     }
     if (IE0) {
         TR0 = 0;
-        return HAL_ECHO_DONE;
+        return HAL_RANGE_DONE;
     }
-    return pin_echo ? HAL_ECHO_NOT_FALLEN : HAL_ECHO_NOT_RISEN;
+    return pin_echo ? HAL_RANGE_NOT_FALLEN : HAL_RANGE_NOT_RISEN;
 }
 
-uint16_t hal_echo_cycles(void)
+uint16_t hal_range_raw(void)
 {
     return (uint16_t)TH0 << 8 | TL0;
 }
 
-bool hal_echo_is_high(void)
+bool hal_range_is_busy(void)
 {
     return pin_echo;
 }

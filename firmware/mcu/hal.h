@@ -17,13 +17,20 @@ void hal_init(void);
 #define HAL_TICK_MS 10U
 uint8_t hal_ticks(void);
 
-/* The distance sensor. hal_trigger starts a measurement. Then ask hal_echo until it says DONE. If
- * that takes too long, its answer is the fault: the echo never rose, or never fell. */
-enum hal_echo { HAL_ECHO_NOT_RISEN, HAL_ECHO_NOT_FALLEN, HAL_ECHO_DONE };
-void hal_trigger(void);         /* 40 mc; the pulse is at least 10 us long */
-uint8_t hal_echo(void);         /* enum hal_echo */
-uint16_t hal_echo_cycles(void); /* the echo's length in machine cycles; valid after DONE */
-bool hal_echo_is_high(void);    /* the level of the echo pin; the self-test looks at it */
+/* The range sensor: echo.c or tfluna.c. hal_trigger starts a measurement; a sensor that measures by
+ * itself forgets what it said before. Then ask hal_range until it says DONE: a reading is there. If
+ * that takes RANGE_WAIT_CS (range.h), its answer is the fault: the echo never rose, or never fell.
+ * range_mm makes a distance of the reading, range_kind says its kind. Its time is the one from
+ * trigger to trigger, or, of a sensor that measures by itself, hal_range_elapsed_cs. */
+enum hal_range { HAL_RANGE_NOT_RISEN, HAL_RANGE_NOT_FALLEN, HAL_RANGE_DONE };
+void hal_trigger(void);       /* 40 mc; the pulse is at least 10 us long */
+uint8_t hal_range(void);      /* enum hal_range */
+uint16_t hal_range_raw(void); /* for range_mm: the echo's machine cycles, or cm; valid after DONE */
+bool hal_range_is_busy(void); /* the sensor's line is not at rest; the self-test looks at it */
+
+/* Only of a sensor that measures by itself: the time since the last call, 0..6 hundredths of a
+ * second, to the nearest one. Call it at each reading, and when none came for RANGE_WAIT_CS. 60 mc. */
+uint8_t hal_range_elapsed_cs(void);
 
 /* Actuators. The brake takes 0..100 %; more counts as 100. The new duty holds from the first PWM
  * period on that begins at least 0.3 ms after the call. */

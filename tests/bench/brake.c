@@ -10,15 +10,15 @@
 
 uint16_t bench_ticks(void);
 void bench_stop_set(bool on);
-#define hal_echo_cycles bench_ticks
-#define hal_stop_set    bench_stop_set
-#define main            brake_main
+#define hal_range_raw bench_ticks
+#define hal_stop_set  bench_stop_set
+#define main          brake_main
 #include "../../firmware/brake/main.c"
 #undef main
 #undef hal_stop_set
 
 /* From the poll that sees an echo to the STOP pin, at most, with the PWM's interrupt in between,
- * which takes 44 (build/BOARD/APP.bound) and its call 2. Timer 2 counts, as hal_echo stops timer
+ * which takes 44 (build/BOARD/APP.bound) and its call 2. Timer 2 counts, as hal_range stops timer
  * 0. */
 #define STOP_MC (300U - 46U)
 static __idata uint16_t stop_mc; /* from poll on, in this step; 0: not yet */
@@ -101,13 +101,13 @@ static uint8_t next_echo(void)
         since_cs = (uint8_t)(CLOSING_SPAN_MIN_CS + (chance() & 15));
     }
     if (what >= 250) {
-        return what & 1 ? HAL_ECHO_NOT_RISEN : HAL_ECHO_NOT_FALLEN;
+        return what & 1 ? HAL_RANGE_NOT_RISEN : HAL_RANGE_NOT_FALLEN;
     }
     echo_ticks = (uint16_t)((uint32_t)place_mm * TICKS_PER_MM_Q6 >> 6);
     if (what >= 240) {
         echo_ticks = 38000U;
     }
-    return HAL_ECHO_DONE;
+    return HAL_RANGE_DONE;
 }
 
 static void pass_time(void)
@@ -154,7 +154,7 @@ uint16_t bench_step(uint16_t step)
     echo = next_echo();
     brake_expect(since_cs);
     pass_time();
-    if (echo == HAL_ECHO_DONE && (n & 1U)) {
+    if (echo == HAL_RANGE_DONE && (n & 1U)) {
         step_by_poll();
     } else {
         BENCH_START();

@@ -36,15 +36,15 @@ uint8_t hal_ticks(void)
 void hal_trigger(void)
 {
 }
-uint8_t hal_echo(void)
+uint8_t hal_range(void)
 {
-    return (uint8_t)Frama_C_unsigned_char_interval(HAL_ECHO_NOT_RISEN, HAL_ECHO_DONE);
+    return (uint8_t)Frama_C_unsigned_char_interval(HAL_RANGE_NOT_RISEN, HAL_RANGE_DONE);
 }
-uint16_t hal_echo_cycles(void)
+uint16_t hal_range_raw(void)
 {
     return any_word();
 }
-bool hal_echo_is_high(void)
+bool hal_range_is_busy(void)
 {
     return any_bool();
 }

@@ -17,12 +17,12 @@ uint8_t hal_ticks(void);
 /*@ assigns \nothing; */
 void hal_trigger(void);
 /*@ assigns \nothing;
-    ensures \result <= HAL_ECHO_DONE; */
-uint8_t hal_echo(void);
+    ensures \result <= HAL_RANGE_DONE; */
+uint8_t hal_range(void);
 /*@ assigns \nothing; */
-uint16_t hal_echo_cycles(void);
+uint16_t hal_range_raw(void);
 /*@ assigns \nothing; */
-bool hal_echo_is_high(void);
+bool hal_range_is_busy(void);
 /*@ requires brake_pct <= 100;
     assigns pin_brake_pct;
     ensures pin_brake_pct == brake_pct; */
