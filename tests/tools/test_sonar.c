@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Under test: tools/drive/plant/sonar.c, the sensor and its faults; figures from the HC-SR04 data
+/* Under test: tools/drive/plant/sonar.c and sensor.c, the sensor and its faults; figures from the HC-SR04 data
  * sheet.
  */
 #include "sonar.h"
@@ -9,26 +9,26 @@
 #include <unity.h>
 
 static const int64_t us = 1000, ms = 1000000;
-static struct sonar_settings settings;
+static struct sensor_settings settings;
 static struct sonar sonar;
 
 void setUp(void)
 {
     memset(&settings, 0, sizeof settings);
     section_defaults(&sensor_section, &settings.sensor);
-    for (int i = 0; i < SONAR_FAULTS; i++) {
+    for (int i = 0; i < SENSOR_FAULTS; i++) {
         section_defaults(&fault_section, &settings.faults[i]);
     }
 }
 
 void tearDown(void)
 {
-    sonar_free(&sonar);
+    sensing_free(&sonar.sensing);
 }
 
 static void begin(uint64_t seed)
 {
-    sonar_free(&sonar);
+    sensing_free(&sonar.sensing);
     sonar_init(&sonar, &settings, seed);
 }
 
@@ -87,7 +87,7 @@ static void test_that_the_echo_lasts_as_long_as_the_sound(void)
         double gap = 0.02 + 0.01 * i, length;
         int64_t t = i * 60 * ms, rise;
 
-        TEST_ASSERT_EQUAL(SONAR_TARGET, sonar_trigger(&sonar, t, 10 * us, gap, 0));
+        TEST_ASSERT_EQUAL(SENSOR_TARGET, sonar_trigger(&sonar, t, 10 * us, gap, 0));
         length = pulse_us(&rise);
         TEST_ASSERT_EQUAL_INT64(t + 450 * us, rise);
         TEST_ASSERT_DOUBLE_WITHIN(0.01, 2 * gap / 343.2 * 1e6, length);
@@ -104,16 +104,16 @@ static void test_that_sound_meets_a_closing_target_nearer(void)
 static void test_that_no_target_is_a_pulse_of_38_ms(void)
 {
     begin(1);
-    TEST_ASSERT_EQUAL(SONAR_NONE, sonar_trigger(&sonar, 0, 10 * us, 5.01, 0));
+    TEST_ASSERT_EQUAL(SENSOR_NONE, sonar_trigger(&sonar, 0, 10 * us, 5.01, 0));
     TEST_ASSERT_DOUBLE_WITHIN(0.01, 38000, pulse_us(NULL));
-    TEST_ASSERT_EQUAL(SONAR_NONE, sonar_trigger(&sonar, 60 * ms, 10 * us, INFINITY, 0));
-    TEST_ASSERT_EQUAL(SONAR_NONE, sonar_trigger(&sonar, 120 * ms, 10 * us, 0.019, 0));
+    TEST_ASSERT_EQUAL(SENSOR_NONE, sonar_trigger(&sonar, 60 * ms, 10 * us, INFINITY, 0));
+    TEST_ASSERT_EQUAL(SENSOR_NONE, sonar_trigger(&sonar, 120 * ms, 10 * us, 0.019, 0));
 }
 
 static void test_that_a_short_trigger_is_not_heard(void)
 {
     begin(1);
-    TEST_ASSERT_EQUAL(SONAR_DEAF, sonar_trigger(&sonar, 0, 9999, 2, 0));
+    TEST_ASSERT_EQUAL(SENSOR_DEAF, sonar_trigger(&sonar, 0, 9999, 2, 0));
     TEST_ASSERT_EQUAL_DOUBLE(0, pulse_us(NULL));
 }
 
@@ -121,8 +121,8 @@ static void test_that_a_trigger_during_an_echo_is_not_heard(void)
 {
     begin(1);
     sonar_trigger(&sonar, 0, 10 * us, 2, 0);
-    TEST_ASSERT_EQUAL(SONAR_DEAF, sonar_trigger(&sonar, 12 * ms, 10 * us, 2, 0));
-    TEST_ASSERT_EQUAL(SONAR_TARGET, sonar_trigger(&sonar, 13 * ms, 10 * us, 2, 0));
+    TEST_ASSERT_EQUAL(SENSOR_DEAF, sonar_trigger(&sonar, 12 * ms, 10 * us, 2, 0));
+    TEST_ASSERT_EQUAL(SENSOR_TARGET, sonar_trigger(&sonar, 13 * ms, 10 * us, 2, 0));
 }
 
 static void test_that_the_horizon_covers_the_echo_under_way(void)
@@ -212,9 +212,9 @@ static void test_that_a_sensor_that_is_off_says_nothing(void)
     fault(FAULT_OFF, 0.1)->for_s = 0.1;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(0, 2));
-    TEST_ASSERT_EQUAL(SONAR_MISSING, sonar_trigger(&sonar, 120 * ms, 10 * us, 2, 0));
+    TEST_ASSERT_EQUAL(SENSOR_MISSING, sonar_trigger(&sonar, 120 * ms, 10 * us, 2, 0));
     TEST_ASSERT_EQUAL_DOUBLE(0, pulse_us(NULL));
-    TEST_ASSERT_EQUAL(SONAR_NONE, sonar_trigger(&sonar, 180 * ms, 10 * us, INFINITY, 0));
+    TEST_ASSERT_EQUAL(SENSOR_NONE, sonar_trigger(&sonar, 180 * ms, 10 * us, INFINITY, 0));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(240 * ms, 2));
 }
 
@@ -229,12 +229,12 @@ static void test_that_an_unplugged_line_goes_high_and_cuts_the_echo(void)
     TEST_ASSERT_TRUE(sonar_next_event(&sonar, 5 * ms, &at, &level));
     TEST_ASSERT_TRUE(sonar_next_event(&sonar, 5 * ms, &at, &level));
     TEST_ASSERT_FALSE(level);
-    TEST_ASSERT_EQUAL_INT64(5 * ms, sonar_boundary_ns(&sonar, 0));
+    TEST_ASSERT_EQUAL_INT64(5 * ms, sensing_boundary_ns(&sonar.sensing, 0));
     sonar_pass_boundary(&sonar, 5 * ms);
     TEST_ASSERT_TRUE(sonar_next_event(&sonar, 5 * ms, &at, &level));
     TEST_ASSERT_TRUE(level);
     TEST_ASSERT_EQUAL_INT64(5 * ms, at);
-    TEST_ASSERT_EQUAL_INT64(INT64_MAX, sonar_boundary_ns(&sonar, 5 * ms));
+    TEST_ASSERT_EQUAL_INT64(INT64_MAX, sensing_boundary_ns(&sonar.sensing, 5 * ms));
 }
 
 static void test_that_a_dead_line_ends_an_echo_early(void)
@@ -303,7 +303,7 @@ static void test_that_a_slow_sensor_skips_triggers(void)
     fault(FAULT_SLOW, 0)->period_s = 0.15;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(0, 2));
-    TEST_ASSERT_EQUAL(SONAR_MISSING, sonar_trigger(&sonar, 60 * ms, 10 * us, 2, 0));
+    TEST_ASSERT_EQUAL(SENSOR_MISSING, sonar_trigger(&sonar, 60 * ms, 10 * us, 2, 0));
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(120 * ms, 2));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(180 * ms, 2));
 }
@@ -313,7 +313,7 @@ static void test_that_a_delayed_sensor_shows_the_past(void)
     fault(FAULT_DELAYED, 0)->delay_s = 0.2;
     begin(1);
     for (int i = 0; i <= 100; i++) {
-        sonar_observe(&sonar, i * 10 * ms, 5 - 0.03 * i); /* 3 m/s */
+        sensing_observe(&sonar.sensing, i * 10 * ms, 5 - 0.03 * i); /* 3 m/s */
     }
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 5 - 3 * 0.805, read_m(1005 * ms, 5 - 3 * 1.005));
 }
@@ -326,10 +326,10 @@ static void test_that_an_intermittent_sensor_comes_and_goes(void)
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(1100 * ms, 2));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(1400 * ms, 2));
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(1600 * ms, 2));
-    TEST_ASSERT_EQUAL_INT64(1000 * ms, sonar_boundary_ns(&sonar, 0));
-    TEST_ASSERT_EQUAL_INT64(1300 * ms, sonar_boundary_ns(&sonar, 1000 * ms));
-    TEST_ASSERT_EQUAL_INT64(1500 * ms, sonar_boundary_ns(&sonar, 1300 * ms));
-    TEST_ASSERT_EQUAL_INT64(1800 * ms, sonar_boundary_ns(&sonar, 1500 * ms));
+    TEST_ASSERT_EQUAL_INT64(1000 * ms, sensing_boundary_ns(&sonar.sensing, 0));
+    TEST_ASSERT_EQUAL_INT64(1300 * ms, sensing_boundary_ns(&sonar.sensing, 1000 * ms));
+    TEST_ASSERT_EQUAL_INT64(1500 * ms, sensing_boundary_ns(&sonar.sensing, 1300 * ms));
+    TEST_ASSERT_EQUAL_INT64(1800 * ms, sensing_boundary_ns(&sonar.sensing, 1500 * ms));
 }
 
 static void test_that_a_glitch_lasts_so_many_readings(void)

@@ -20,10 +20,13 @@ void identity_find(struct identity *identity, const struct hexfile *hex)
          k++, at++) {
         identity->text[k] = (char)hex->code[at];
     }
-    if (sscanf(identity->text, "fuzzy51 %*15s %63s %31s %ld Hz table=", image, identity->board,
-               &identity->clk_hz) != 3) {
+    if (sscanf(identity->text, "fuzzy51 %*15s %63s %31s %ld Hz %31s table=", image, identity->board,
+               &identity->clk_hz, identity->sensor) != 4) {
         memset(identity, 0, sizeof *identity);
         return;
+    }
+    if (strncmp(identity->sensor, "table=", strlen("table=")) == 0) {
+        strcpy(identity->sensor, "hcsr04"); /* the first of them goes without saying */
     }
     snprintf(identity->controller, sizeof identity->controller, "%.*s", (int)strcspn(image, "/"),
              image);

@@ -13,7 +13,8 @@ enum { IDENTITY_TEXT = 96, IDENTITY_WORD = 32 };
 struct identity {
     char text[IDENTITY_TEXT]; /* "" where the image does not say who it is */
     char controller[IDENTITY_WORD], board[IDENTITY_WORD];
-    long clk_hz; /* crystal, Hz; 0: not said */
+    char sensor[IDENTITY_WORD]; /* as [sensor] calls its kind */
+    long clk_hz;                /* crystal, Hz; 0: not said */
 };
 
 /* Finds the identity in an image; one that has none gets empty texts. */

@@ -79,7 +79,7 @@ struct arguments {
     bool live, brief, stats, has_seed, guess;
     int quantum_us, step_us;
     unsigned long seed;
-    char *settings[MAX_SETTINGS];
+    char *settings[MAX_SETTINGS + 1]; /* and one for the image's sensor */
     int setting_count;
     char *words[2];
     int word_count;
@@ -346,9 +346,36 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
     return status;
 }
 
+/* The image's sensor is the scenario's: reads the scenario again with it, where the file names none
+ * and the world has more than one. An image that does not say who it is has any sensor. */
+static int match_sensor(struct arguments *arguments, struct scenario *scenario,
+                        const struct identity *identity)
+{
+    static char setting[IDENTITY_WORD + 16];
+    const char *sensor;
+
+    if (scenario->world->sensor == NULL || identity->sensor[0] == '\0') {
+        return EXIT_FINE;
+    }
+    sensor = scenario->world->sensor(scenario);
+    if (sensor != NULL && strcmp(sensor, identity->sensor) != 0) {
+        diag_error(arguments->hex, 0,
+                   "this image reads a %s, and the sensor of %s is a %s; build one with SENSOR=%s",
+                   identity->sensor, scenario->file, sensor, sensor);
+        return EXIT_USAGE;
+    }
+    if (sensor != NULL) {
+        return EXIT_FINE;
+    }
+    snprintf(setting, sizeof setting, "sensor.kind=%s", identity->sensor);
+    arguments->settings[arguments->setting_count] = setting;
+    return scenario_read(scenario, arguments->scenario, arguments->settings,
+                         arguments->setting_count + 1);
+}
+
 /* Lets the run use what the image says of itself, or refuses the image. */
 static int take_identity(struct arguments *arguments, const struct run_setup *setup,
-                         struct board *board)
+                         struct scenario *scenario, struct board *board)
 {
     static struct hexfile hex;
     static struct identity identity;
@@ -362,7 +389,8 @@ static int take_identity(struct arguments *arguments, const struct run_setup *se
         arguments->paths.image = identity.text;
         board->clk_hz = identity.clk_hz;
     }
-    return identity_check(&identity, setup->hex, board->name, setup->scenario->world->name);
+    status = identity_check(&identity, setup->hex, board->name, scenario->world->name);
+    return status == EXIT_FINE ? match_sensor(arguments, scenario, &identity) : status;
 }
 
 /* The engine of that name; of $ENGINE, or s51, for NULL. Returns NULL after a message. */
@@ -390,6 +418,7 @@ static int command_run(struct arguments *arguments)
                               .scenario = &scenario,
                               .quantum_us = arguments->quantum_us,
                               .step_us = arguments->step_us};
+    int status;
 
     if (arguments->board == NULL || arguments->scenario == NULL) {
         diag_error(NULL, 0, "run wants --board and --scenario; see drive --help");
@@ -410,8 +439,9 @@ static int command_run(struct arguments *arguments)
     }
     board = *setup.board;
     setup.board = &board;
-    if (take_identity(arguments, &setup, &board) != EXIT_FINE) {
-        return EXIT_USAGE;
+    status = take_identity(arguments, &setup, &scenario, &board);
+    if (status != EXIT_FINE) {
+        return status;
     }
     add_understood(&scenario);
     setup.guess = arguments->guess && !arguments->live;

@@ -29,6 +29,9 @@ struct loop {
     struct world *world;
     bool levels[BOARD_OUTPUTS];
     int64_t start_ns; /* of the scenario, in the simulator's time */
+    bool is_unasked;  /* no trigger begins it */
+    int64_t calm_ns;  /* then it begins here; INT64_MAX: not known yet */
+    bool has_bytes;   /* the world sends some */
     int64_t now_ns;   /* of the scenario */
     bool sent;        /* the scenario's bytes for the serial line */
     enum sim_status status;
@@ -111,7 +114,10 @@ static void take_edges(struct loop *loop)
         const struct sim_edge *edge = &loop->sim->edges[i];
 
         loop->levels[edge->pin] = edge->level;
-        if (!loop->run->triggered && edge->pin == PIN_TRIGGER && edge->level &&
+        if (edge->pin == PIN_STOP && !edge->level && loop->calm_ns == INT64_MAX) {
+            loop->calm_ns = edge->time_ns + RUN_CALM_MS * 1000000LL;
+        }
+        if (!loop->run->triggered && !loop->is_unasked && edge->pin == PIN_TRIGGER && edge->level &&
             (loop->class->is_warm == NULL || loop->class->is_warm(loop->world))) {
             start_world(loop, edge->time_ns);
         }
@@ -227,7 +233,7 @@ static void pass_mark(struct loop *loop)
         loop->late = true;
     }
     loop->class->advance(loop->world, mark_ns);
-    if (loop->class->take_bytes != NULL) {
+    if (loop->has_bytes) {
         size_t count = loop->class->take_bytes(loop->world, mark_ns, bytes);
 
         sim_send(loop->sim, (const char *)bytes, count);
@@ -269,10 +275,14 @@ static bool is_booting(const struct loop *loop)
 static enum sim_status boot_quantum(struct loop *loop)
 {
     int64_t next_ns = loop->now_ns + (int64_t)loop->setup->quantum_us * 1000;
+    bool is_fed = loop->has_bytes && !loop->is_unasked; /* before the scenario begins */
     enum sim_status status;
 
-    if (loop->class->take_bytes != NULL && loop->class->mark_ns(loop->world) < next_ns) {
+    if (is_fed && loop->class->mark_ns(loop->world) < next_ns) {
         next_ns = loop->class->mark_ns(loop->world);
+    }
+    if (loop->is_unasked && loop->calm_ns < next_ns) {
+        next_ns = loop->calm_ns;
     }
     status = sim_run_to(loop->sim, next_ns);
     loop->run->syncs++;
@@ -280,8 +290,11 @@ static enum sim_status boot_quantum(struct loop *loop)
     if (status != SIM_RAN) {
         return status;
     }
+    if (loop->is_unasked && loop->sim->now_ns >= loop->calm_ns) {
+        start_world(loop, loop->calm_ns);
+    }
     loop->now_ns = loop->sim->now_ns - loop->start_ns;
-    if (!loop->run->triggered && loop->class->take_bytes != NULL) {
+    if (!loop->run->triggered && is_fed) {
         pass_mark(loop);
     }
     return SIM_RAN;
@@ -426,7 +439,7 @@ static int start_simulator(struct loop *loop)
         .drive = board->pins + BOARD_OUTPUTS,
         .drive_count = INPUTS,
         .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS), /* echo low, override not held */
-        .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->class->take_bytes != NULL,
+        .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->has_bytes,
         .flips = flips,
         .flip_count = flip_count,
     };
@@ -448,6 +461,10 @@ static int power_up(struct loop *loop)
 
     telemetry_init(&run->telemetry);
     outcome_clear(&run->outcome);
+    loop->calm_ns = INT64_MAX;
+    loop->is_unasked = loop->class->is_unasked != NULL && loop->class->is_unasked(setup->scenario);
+    loop->has_bytes =
+        loop->class->take_bytes != NULL && (loop->class->is_unasked == NULL || loop->is_unasked);
     run->outcome.uart = run->telemetry.log;
     if (start_simulator(loop) != EXIT_FINE) {
         return EXIT_USAGE;

@@ -17,7 +17,8 @@
 enum {
     RUN_QUANTUM_US = 400, /* longest time between two syncs while the sensor listens */
     RUN_MARGIN_US = 50,   /* kept between a sync and the first event that may follow from it */
-    RUN_BOOT_S = 10,      /* the scenario's first trigger must come until then */
+    RUN_BOOT_S = 10,      /* the scenario must begin until then */
+    RUN_CALM_MS = 20,     /* for is_unasked: two periods of the PWM, so that the duty is out */
     RUN_RESET_WATCH_MS = 500
 };
 
@@ -47,12 +48,12 @@ struct run_observer {
 struct run {
     struct outcome outcome;
     struct telemetry telemetry;
-    int64_t boot_ns;     /* reset to first trigger */
+    int64_t boot_ns;     /* reset to the scenario's begin */
     int64_t duration_ns; /* of the scenario */
     int64_t syncs;
     int restarts; /* 1: a guess was wrong, and the run is a second one without guesses */
     double wall_s;
-    bool triggered; /* the controller came as far as its first trigger */
+    bool triggered; /* the controller came as far as its first trigger; the scenario has begun */
 };
 
 /* Runs the scenario. Returns EXIT_FINE when it was run (whatever came of it), EXIT_USAGE after a

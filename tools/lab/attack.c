@@ -64,7 +64,7 @@ static bool happens(double probability)
 static void add_strays(struct scenario *scenario, int count)
 {
     for (int i = 0; i < count; i++) {
-        struct fault *fault = &brake_settings(scenario)->sonar.faults[i];
+        struct fault *fault = &brake_settings(scenario)->sensing.faults[i];
 
         *fault = (struct fault){.kind = FAULT_GLITCH,
                                 .from_s = between(0, scenario->duration_s),
@@ -121,7 +121,7 @@ static struct scenario any_scenario(void)
 {
     static const double steps_m[] = {0, 0.001, 0.003, 0.01};
     struct scenario scenario = lab_situation(between(0.5, 6), 8);
-    struct sensor *sensor = &brake_settings(&scenario)->sonar.sensor;
+    struct sensor *sensor = &brake_settings(&scenario)->sensing.sensor;
 
     scenario.hold_s = SCENARIO_UNSET;
     scenario.ego.brake_max_mps2 = between(7, 9);
@@ -141,11 +141,11 @@ static struct scenario any_scenario(void)
 /* The same drive before a sensor without faults. */
 static struct scenario with_good_sensor(struct scenario scenario)
 {
-    struct sonar_settings *sonar = &brake_settings(&scenario)->sonar;
+    struct sensor_settings *sensing = &brake_settings(&scenario)->sensing;
 
-    sonar->sensor.noise_m = sonar->sensor.dropout = sonar->sensor.step_m = 0;
-    for (int i = 0; i < SONAR_FAULTS; i++) {
-        sonar->faults[i].kind = -1;
+    sensing->sensor.noise_m = sensing->sensor.dropout = sensing->sensor.step_m = 0;
+    for (int i = 0; i < SENSOR_FAULTS; i++) {
+        sensing->faults[i].kind = -1;
     }
     return scenario;
 }
@@ -236,7 +236,7 @@ static bool is_impact_flagged(const struct image *image, const struct image *fir
 
 static void tell(FILE *out, const struct scenario *scenario, uint64_t seed, enum flag flag)
 {
-    const struct sonar_settings *sonar = &brake_settings((struct scenario *)scenario)->sonar;
+    const struct sensor_settings *sensing = &brake_settings((struct scenario *)scenario)->sensing;
     const struct lead *lead = &scenario->lead;
 
     fprintf(out, "  seed %llu: %s: ego %.2f m/s", (unsigned long long)seed, flag_names[flag],
@@ -247,12 +247,12 @@ static void tell(FILE *out, const struct scenario *scenario, uint64_t seed, enum
                 lead->gap_m, lead->speed_mps, lead->change_s, lead->change_mps2, lead->appears_s,
                 lead->leaves_s);
     }
-    fprintf(out, "; noise %.3f m, %.0f %% missing, step %.0f mm", sonar->sensor.noise_m,
-            sonar->sensor.dropout * 100, sonar->sensor.step_m * 1000);
-    for (int i = 0; i < SONAR_FAULTS; i++) {
-        if (sonar->faults[i].kind >= 0) {
-            fprintf(out, "; stray %.2f m at %.2f s", sonar->faults[i].dist_m,
-                    sonar->faults[i].from_s);
+    fprintf(out, "; noise %.3f m, %.0f %% missing, step %.0f mm", sensing->sensor.noise_m,
+            sensing->sensor.dropout * 100, sensing->sensor.step_m * 1000);
+    for (int i = 0; i < SENSOR_FAULTS; i++) {
+        if (sensing->faults[i].kind >= 0) {
+            fprintf(out, "; stray %.2f m at %.2f s", sensing->faults[i].dist_m,
+                    sensing->faults[i].from_s);
         }
     }
     fprintf(out, "\n");

@@ -13,7 +13,7 @@ enum { STEP_US = 5000 };
 struct scenario lab_situation(double speed_mps, double duration_s)
 {
     struct scenario scenario;
-    struct sensor *sensor = &brake_settings(&scenario)->sonar.sensor;
+    struct sensor *sensor = &brake_settings(&scenario)->sensing.sensor;
 
     scenario_defaults(&scenario, &brake_world);
     scenario.duration_s = duration_s;

@@ -49,12 +49,13 @@ static struct trouble stray(const struct image *image, double speed_mps, enum st
 
         random_seed(&chance, (uint64_t)i);
         scenario.lead.gap_m = between(5.4, 5.9);
-        sight_s = (scenario.lead.gap_m - brake_settings(&scenario)->sonar.sensor.max_m) / speed_mps;
+        sight_s = (scenario.lead.gap_m - sensor_max_m(&brake_settings(&scenario)->sensing.sensor)) /
+                  speed_mps;
         dist_m = between(0.3, 4.8);
         from_s = when == STRAY_LATER ? between(sight_s, sight_s + 8 / speed_mps)
                                      : between(sight_s - 0.12, sight_s);
         if (when != STRAY_NONE) {
-            brake_settings(&scenario)->sonar.faults[0] =
+            brake_settings(&scenario)->sensing.faults[0] =
                 (struct fault){.kind = FAULT_GLITCH,
                                .from_s = fmax(from_s, 0),
                                .for_s = SCENARIO_UNSET,
@@ -78,7 +79,7 @@ static struct trouble missing(const struct image *image, double share, int runs)
         random_seed(&chance, (uint64_t)i);
         scenario = lab_situation(between(4.5, 5.5), 8);
         scenario.lead.gap_m = between(5.2, 6);
-        brake_settings(&scenario)->sonar.sensor.dropout = share;
+        brake_settings(&scenario)->sensing.sensor.dropout = share;
         run(image, &scenario, (uint64_t)i, &trouble);
     }
     return trouble;
@@ -96,9 +97,9 @@ static struct trouble coarse(const struct image *image, double step_m, double no
         scenario = lab_situation(between(1, 5.5), 12);
         scenario.hold_s = 2;
         scenario.lead.gap_m = between(5.2, 6);
-        brake_settings(&scenario)->sonar.sensor.dropout = 0;
-        brake_settings(&scenario)->sonar.sensor.noise_m = noise_m;
-        brake_settings(&scenario)->sonar.sensor.step_m = step_m;
+        brake_settings(&scenario)->sensing.sensor.dropout = 0;
+        brake_settings(&scenario)->sensing.sensor.noise_m = noise_m;
+        brake_settings(&scenario)->sensing.sensor.step_m = step_m;
         run(image, &scenario, (uint64_t)i, &trouble);
     }
     return trouble;
@@ -136,15 +137,15 @@ static int unfound(const struct image *image, double step_m, double noise_m, int
         speed_mps = between(1.5, 5.5);
         scenario = lab_situation(speed_mps, 4);
         scenario.lead.gap_m = between(5.2, 6);
-        brake_settings(&scenario)->sonar.sensor.dropout = 0;
-        brake_settings(&scenario)->sonar.sensor.noise_m = noise_m;
-        brake_settings(&scenario)->sonar.sensor.step_m = step_m;
+        brake_settings(&scenario)->sensing.sensor.dropout = 0;
+        brake_settings(&scenario)->sensing.sensor.noise_m = noise_m;
+        brake_settings(&scenario)->sensing.sensor.step_m = step_m;
         hang.from_s = (scenario.lead.gap_m - 4.4) / speed_mps;
-        brake_settings(&scenario)->sonar.faults[0] = (struct fault){.kind = FAULT_STUCK,
-                                                                    .from_s = hang.from_s,
-                                                                    .for_s = SCENARIO_UNSET,
-                                                                    .dist_m = SCENARIO_UNSET,
-                                                                    .scale = 1};
+        brake_settings(&scenario)->sensing.faults[0] = (struct fault){.kind = FAULT_STUCK,
+                                                                      .from_s = hang.from_s,
+                                                                      .for_s = SCENARIO_UNSET,
+                                                                      .dist_m = SCENARIO_UNSET,
+                                                                      .scale = 1};
         loop_run_watched(image, &scenario, (uint64_t)i, STEP_US, &outcome, look_for_fault, &hang);
         count += hang.found_s > hang.from_s + 0.36;
     }

@@ -66,6 +66,10 @@ void section_defaults(const struct section *section, void *values);
 /* For a section's check: the line in which KEY was given; 0: it was not. */
 int section_line(const struct section_check *check, const char *key);
 
+/* For a section's check: the values of the first section NAME of the same scenario, which its world
+ * must have. */
+const void *section_values(const struct section_check *check, const char *name);
+
 /* For a section's check: complains, at the line of KEY. KEY NULL: about the section as a whole. */
 void section_complain(struct section_check *check, const char *key, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

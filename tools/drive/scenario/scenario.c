@@ -398,6 +398,16 @@ int section_line(const struct section_check *check, const char *name)
     return 0;
 }
 
+const void *section_values(const struct section_check *check, const char *name)
+{
+    int copy, index = find_section(check->reader, name, &copy);
+
+    if (index < 0) {
+        abort(); /* a fault of the section's table */
+    }
+    return values_of(check->reader, index, 0);
+}
+
 void section_complain(struct section_check *check, const char *name, const char *format, ...)
 {
     struct reader *reader = check->reader;

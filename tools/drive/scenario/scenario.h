@@ -50,6 +50,12 @@ struct lead {
     double missed; /* share of the readings in which it gives no echo */
 };
 
+/* Section [uart]. */
+struct uart {
+    double at_s; /* bytes sent to the controller; unset: none */
+    char send[SCENARIO_TEXT];
+};
+
 /* Section [flip]: one bit of the chip that changes once, or sticks. */
 struct flip {
     int kind;                        /* enum flip_kind */
@@ -74,10 +80,7 @@ struct scenario {
     int demo; /* 1: `make demo` shows this one */
     struct ego ego;
     struct lead lead, lead2;
-    struct {
-        double at_s; /* bytes sent to the controller; unset: none */
-        char send[SCENARIO_TEXT];
-    } uart;
+    struct uart uart;
     struct flip flips[SCENARIO_FLIPS];
     struct expectation expect[EXPECT_MAX];
     int expect_count;

@@ -205,7 +205,7 @@ const struct section lead_section = {.name = "lead",
 
 /* --- [uart] ------------------------------------------------------------------------------- */
 
-#define AT(member) offsetof(struct scenario, uart.member) - offsetof(struct scenario, uart)
+#define AT(member) offsetof(struct uart, member)
 static const struct key uart_keys[] = {
     {.name = "at_s",
      .meaning = "when the characters are sent",
@@ -225,7 +225,7 @@ static const struct key uart_keys[] = {
 const struct section uart_section = {.name = "uart",
                                      .meaning = "characters sent to the controller",
                                      SECTION_KEYS(uart_keys),
-                                     .size = sizeof(((struct scenario *)NULL)->uart)};
+                                     .size = sizeof(struct uart)};
 
 /* --- [flip] ------------------------------------------------------------------------------- */
 

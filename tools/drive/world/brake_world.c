@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The brake controller's world: a car behind one or two others, an ultrasonic sensor, a brake that
- * follows the PWM and the STOP pin, a lamp and a buzzer. */
+/* The brake controller's world: a car behind one or two others, an ultrasonic sensor or a lidar, a
+ * brake that follows the PWM and the STOP pin, a lamp and a buzzer. */
 #include "brake_world.h"
 
 #include "base.h"
+#include "sonar.h"
+#include "tfluna.h"
 
 #include <math.h>
 
 struct world {
     struct base base;
     struct rig rig;
+    struct sensing *sensing; /* of the sensor that there is, one of these two */
     struct sonar sonar;
+    struct tfluna tfluna;
+    bool is_lidar;
     struct random missed; /* decides which targets give no echo */
     int64_t now_ns;
     int64_t trigger_rise_ns;
@@ -53,10 +58,10 @@ static const struct section_use sections[] = {
     {.section = &scenario_section, .required = true},
     {.section = &ego_section, AT_SCENARIO(ego), .required = true},
     {.section = &lead_section, AT_SCENARIO(lead), .copies = CAR_TARGETS},
-    {.section = &sensor_section, AT_SETTINGS(struct brake_settings, sonar.sensor)},
+    {.section = &sensor_section, AT_SETTINGS(struct brake_settings, sensing.sensor)},
     {.section = &fault_section,
-     AT_SETTINGS(struct brake_settings, sonar.faults),
-     .copies = SONAR_FAULTS},
+     AT_SETTINGS(struct brake_settings, sensing.faults),
+     .copies = SENSOR_FAULTS},
     {.section = &override_section, AT_SETTINGS(struct brake_settings, override)},
     {.section = &uart_section, AT_SCENARIO(uart)},
     FLIP_SECTION,
@@ -79,7 +84,8 @@ static int heard_target(const struct world *world, const bool is_missed[CAR_TARG
 
     for (int i = 0; i < CAR_TARGETS; i++) {
         double gap_m = car_target_gap_m(&world->rig.car, i);
-        bool rather = heard_m < world->sonar.sensor.min_m ? gap_m > heard_m : gap_m < heard_m;
+        bool rather =
+            heard_m < sensor_min_m(&world->sensing->sensor) ? gap_m > heard_m : gap_m < heard_m;
 
         if (world->rig.car.targets[i].there && !is_missed[i] && (heard < 0 || rather)) {
             heard = i;
@@ -99,7 +105,8 @@ static bool is_anything_in_range(const struct world *world)
     static const bool none_missed[CAR_TARGETS] = {false};
     double gap_m = gap_to_m(world, heard_target(world, none_missed));
 
-    return gap_m >= world->sonar.sensor.min_m && gap_m <= world->sonar.sensor.max_m;
+    return world->is_lidar ? tfluna_is_seen(&world->tfluna, gap_m)
+                           : sensor_is_in_range(&world->sensing->sensor, gap_m);
 }
 
 /* The true distances of the past, for a sensor whose readings are old. */
@@ -107,7 +114,7 @@ static void observe(struct world *world, int64_t t_ns)
 {
     static const bool none_missed[CAR_TARGETS] = {false};
 
-    sonar_observe(&world->sonar, t_ns, gap_to_m(world, heard_target(world, none_missed)));
+    sensing_observe(world->sensing, t_ns, gap_to_m(world, heard_target(world, none_missed)));
 }
 
 static void advance(struct world *world, int64_t t_ns)
@@ -124,8 +131,10 @@ static void advance(struct world *world, int64_t t_ns)
         rig_advance(&world->rig, next);
         world->now_ns = next;
         if (next == world->mark_ns) {
-            sonar_pass_boundary(&world->sonar, next);
-            world->mark_ns = sonar_boundary_ns(&world->sonar, next);
+            if (!world->is_lidar) {
+                sonar_pass_boundary(&world->sonar, next);
+            }
+            world->mark_ns = sensing_boundary_ns(world->sensing, next);
         }
         if (next == row_ns) {
             observe(world, next);
@@ -135,54 +144,84 @@ static void advance(struct world *world, int64_t t_ns)
 
 static int64_t horizon_ns(const struct world *world, int64_t t_ns)
 {
-    return sonar_horizon_ns(&world->sonar, t_ns);
+    /* A lidar sends at times of its own, which mark_ns says. */
+    return world->is_lidar ? t_ns + world->tfluna.period_ns : sonar_horizon_ns(&world->sonar, t_ns);
 }
 
 static int64_t guess_ns(const struct world *world, int64_t t_ns)
 {
-    return sonar_horizon_ns(&world->sonar, pace_next_ns(&world->base.pace, t_ns));
+    return world->is_lidar ? horizon_ns(world, t_ns)
+                           : sonar_horizon_ns(&world->sonar, pace_next_ns(&world->base.pace, t_ns));
 }
 
 static int64_t mark_ns(const struct world *world)
 {
-    return world->mark_ns;
+    return world->is_lidar && world->tfluna.due_ns < world->mark_ns ? world->tfluna.due_ns
+                                                                    : world->mark_ns;
 }
 
 /* --- pins --------------------------------------------------------------------------------- */
 
-static void trigger_ends(struct world *world)
+/* The target that the measurement of now meets, -1: none, and how fast it closes. */
+static int measured_target(struct world *world, double *closing_mps)
 {
     const struct car *car = &world->rig.car;
     bool is_missed[CAR_TARGETS];
-    double closing_mps = 0;
-    enum sonar_answer answer;
     int heard;
 
     for (int i = 0; i < CAR_TARGETS; i++) {
         is_missed[i] = random_uniform(&world->missed) < car->targets[i].lead.missed;
     }
     heard = heard_target(world, is_missed);
-    if (heard >= 0) {
-        closing_mps = car->v_mps - car_target_mps(car, heard);
+    *closing_mps = heard >= 0 ? car->v_mps - car_target_mps(car, heard) : 0;
+    return heard;
+}
+
+static void note_answer(struct world *world, enum sensor_answer answer)
+{
+    if (answer == SENSOR_NONE && is_anything_in_range(world)) {
+        answer = SENSOR_MISSING; /* there is a target, but it gave no echo */
     }
-    answer = sonar_trigger(&world->sonar, world->now_ns, world->now_ns - world->trigger_rise_ns,
-                           gap_to_m(world, heard), closing_mps);
-    pace_note(&world->base.pace, world->now_ns);
-    if (answer == SONAR_NONE && is_anything_in_range(world)) {
-        answer = SONAR_MISSING; /* there is a target, but it gave no echo */
-    }
-    if (answer == SONAR_MISSING) {
+    if (answer == SENSOR_MISSING) {
         rig_blind(&world->rig, true);
-    } else if (answer == SONAR_TARGET || answer == SONAR_NONE) {
+    } else if (answer == SENSOR_TARGET || answer == SENSOR_NONE) {
         rig_blind(&world->rig, false);
     }
+}
+
+static void trigger_ends(struct world *world)
+{
+    double closing_mps;
+    int heard = measured_target(world, &closing_mps);
+
+    note_answer(world,
+                sonar_trigger(&world->sonar, world->now_ns, world->now_ns - world->trigger_rise_ns,
+                              gap_to_m(world, heard), closing_mps));
+    pace_note(&world->base.pace, world->now_ns);
+}
+
+/* The lidar's frame, if one is due now. */
+static size_t take_bytes(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES])
+{
+    enum sensor_answer answer;
+    double closing_mps;
+    size_t count;
+    int heard;
+
+    if (!world->is_lidar || world->tfluna.due_ns > t_ns) {
+        return 0;
+    }
+    heard = measured_target(world, &closing_mps);
+    count = tfluna_take(&world->tfluna, gap_to_m(world, heard), closing_mps, bytes, &answer);
+    note_answer(world, answer);
+    return count;
 }
 
 static void pin_changed(struct world *world, int64_t t_ns, enum board_pin pin, bool level)
 {
     advance(world, t_ns);
     rig_pin(&world->rig, t_ns, pin, level);
-    if (pin != PIN_TRIGGER) {
+    if (pin != PIN_TRIGGER || world->is_lidar) {
         return;
     }
     if (level) {
@@ -219,7 +258,7 @@ static bool next_input(struct world *world, int64_t until_ns, int64_t *t_ns, enu
 
 static int64_t measured_ns(const struct world *world)
 {
-    return world->echo_end_ns;
+    return world->is_lidar ? world->tfluna.sent_ns : world->echo_end_ns;
 }
 
 /* --- life and outcome --------------------------------------------------------------------- */
@@ -229,6 +268,22 @@ static int64_t not_too_early(int64_t t_ns)
     return t_ns < WORLD_FIRST_INPUT_NS ? WORLD_FIRST_INPUT_NS : t_ns;
 }
 
+static const char *sensor(const struct scenario *scenario)
+{
+    const struct brake_settings *settings = (const void *)scenario->settings;
+
+    return settings->sensing.sensor.kind < 0
+               ? NULL
+               : sensor_kind_name(sensor_kind(&settings->sensing.sensor));
+}
+
+static bool is_unasked(const struct scenario *scenario)
+{
+    const struct brake_settings *settings = (const void *)scenario->settings;
+
+    return sensor_kind(&settings->sensing.sensor) == SENSOR_TFLUNA;
+}
+
 static struct world *create(const struct scenario *scenario, uint64_t seed, int64_t step_ns)
 {
     const struct brake_settings *settings = (const void *)scenario->settings;
@@ -236,7 +291,14 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
 
     world->base = (struct base){.rig = &world->rig};
     rig_init(&world->rig, scenario, step_ns);
-    sonar_init(&world->sonar, &settings->sonar, seed);
+    world->is_lidar = is_unasked(scenario);
+    if (world->is_lidar) {
+        tfluna_init(&world->tfluna, &settings->sensing, seed);
+        world->sensing = &world->tfluna.sensing;
+    } else {
+        sonar_init(&world->sonar, &settings->sensing, seed);
+        world->sensing = &world->sonar.sensing;
+    }
     random_seed(&world->missed, seed ^ 0x4D495353u);
     world->override.next = settings->override.from_s >= 0 ? 0 : 2;
     world->override.at_ns[0] = not_too_early((int64_t)llround(settings->override.from_s * 1e9));
@@ -247,7 +309,7 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
 
 static void destroy(struct world *world)
 {
-    sonar_free(&world->sonar);
+    sensing_free(world->sensing);
     base_destroy(world);
 }
 
@@ -255,7 +317,7 @@ static void start(struct world *world, const bool levels[BOARD_OUTPUTS])
 {
     rig_start(&world->rig, levels);
     observe(world, 0);
-    world->mark_ns = not_too_early(sonar_boundary_ns(&world->sonar, -1));
+    world->mark_ns = not_too_early(sensing_boundary_ns(world->sensing, -1));
 }
 
 static void values(const struct world *world, double row[WORLD_COLUMNS])
@@ -274,9 +336,11 @@ static void draw(struct picture *picture, const struct scenario *scenario, const
 
 const struct world_class brake_world = {
     .name = "brake",
-    .meaning = "brakes behind what an ultrasonic sensor sees",
+    .meaning = "brakes behind what an ultrasonic sensor or a lidar sees",
     WORLD_SECTIONS(sections),
     BASE_TRACE(columns, reported),
+    .sensor = sensor,
+    .is_unasked = is_unasked,
     .create = create,
     .destroy = destroy,
     .start = start,
@@ -286,6 +350,7 @@ const struct world_class brake_world = {
     .horizon_ns = horizon_ns,
     .guess_ns = guess_ns,
     .mark_ns = mark_ns,
+    .take_bytes = take_bytes,
     .measured_ns = measured_ns,
     BASE_RIG_FUNCTIONS,
     .values = values,

@@ -4,10 +4,10 @@
 #define FUZZY51_BRAKE_WORLD_H
 
 #include "scenario.h"
-#include "sonar.h"
+#include "sensor.h"
 
 struct brake_settings {
-    struct sonar_settings sonar;
+    struct sensor_settings sensing;
     struct {
         double from_s, for_s; /* the driver holds the override; unset from_s: never */
     } override;

@@ -2,7 +2,7 @@
 /* The seam between the lockstep loop and what is around one kind of controller: its sensor, its
  * plant, what is measured. run.c knows only this; brake_world.c is the brake's. Times are
  * nanoseconds of the scenario, 0 at the controller's first trigger, or at the one that is_warm
- * picks; before start, nanoseconds since reset. A new controller needs one file NAME_world.c here,
+ * picks, or as is_unasked says; before start, nanoseconds since reset. A new controller needs one file NAME_world.c here,
  * which defines NAME_world; the list of worlds is made from the files. */
 #ifndef FUZZY51_WORLD_H
 #define FUZZY51_WORLD_H
@@ -55,6 +55,14 @@ struct world_class {
     /* Whether the trigger that comes now is the scenario's first; NULL: the very first is. */
     bool (*is_warm)(const struct world *world);
 
+    /* The sensor that SCENARIO names, or NULL where it names none and the image says which one it
+     * is. NULL for a world with one sensor. */
+    const char *(*sensor)(const struct scenario *scenario);
+
+    /* Whether the sensor of SCENARIO sends without a trigger. Then the scenario begins RUN_CALM_MS
+     * after the STOP pin falls for the first time. NULL: it never does. */
+    bool (*is_unasked)(const struct scenario *scenario);
+
     /* t = 0, with the output pins at LEVELS. */
     void (*start)(struct world *world, const bool levels[BOARD_OUTPUTS]);
 
@@ -81,7 +89,7 @@ struct world_class {
     int64_t (*mark_ns)(const struct world *world);
 
     /* Takes the bytes that go out on the serial line at T_NS, a time of mark_ns; returns their
-     * number. NULL: this world sends none. */
+     * number. NULL: this world sends none; one with is_unasked sends some only where that is so. */
     size_t (*take_bytes)(struct world *world, int64_t t_ns, uint8_t bytes[WORLD_BYTES]);
 
     /* When the last measurement that the controller can know was made; 0: none was. */
