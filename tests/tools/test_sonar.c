@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Under test: tools/drive/plant/sonar.c and sensor.c, the sensor and its faults; figures from the HC-SR04 data
- * sheet.
- */
+/* Under test: tools/drive/plant/sonar.c and sensor.c, the sensor and its faults; figures from the
+ * HC-SR04 data sheet. */
 #include "sonar.h"
 
 #include <math.h>

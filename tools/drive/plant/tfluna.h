@@ -15,8 +15,8 @@
  * near      Nearer than min_m the manual calls the distance unreliable. Here it grows again, as
  *           users of the sister TFmini have seen it.
  * blinded   strength 65535, and any distance */
-#ifndef FUZZY51_TFLUNA_H
-#define FUZZY51_TFLUNA_H
+#ifndef FUZZY51_DRIVE_TFLUNA_H
+#define FUZZY51_DRIVE_TFLUNA_H
 
 #include "sensor.h"
 

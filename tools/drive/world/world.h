@@ -2,8 +2,8 @@
 /* The seam between the lockstep loop and what is around one kind of controller: its sensor, its
  * plant, what is measured. run.c knows only this; brake_world.c is the brake's. Times are
  * nanoseconds of the scenario, 0 at the controller's first trigger, or at the one that is_warm
- * picks, or as is_unasked says; before start, nanoseconds since reset. A new controller needs one file NAME_world.c here,
- * which defines NAME_world; the list of worlds is made from the files. */
+ * picks, or as is_unasked says; before start, nanoseconds since reset. A new controller needs one
+ * file NAME_world.c here, which defines NAME_world; the list of worlds is made from the files. */
 #ifndef FUZZY51_WORLD_H
 #define FUZZY51_WORLD_H
 
