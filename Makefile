@@ -14,6 +14,7 @@ TABLE        ?= tables/brake.fis# the brake's fuzzy system
 GRID         ?=#                  cells of the brake's table, such as 50x50; empty: 100x100
 LEVELS       ?=#                  steps of the brake force in that table, 1 to 100; empty: 100
 REPAIR       ?=#                  makes the brake's table monotone: -1,+2
+SENSOR       ?= hcsr04#           the brake's range sensor: hcsr04, or tfluna (images in build/BOARD/tfluna)
 ESTIMATOR    ?= difference#       how the brake gets its closing speed: difference or smooth
 CLK_HZ       ?=#                  crystal in Hz, such as 11059200; empty: the board's
 STOP_MM      ?=#                  the brake's full STOP from this distance on; empty: 1000
@@ -56,6 +57,10 @@ $(error no file '$(TABLE)'; TABLE names the brake's fuzzy system, a .fis)
 endif
 ifeq ($(filter $(ESTIMATOR),difference smooth),)
 $(error no estimator '$(ESTIMATOR)'; use difference or smooth)
+endif
+
+ifeq ($(filter $(SENSOR),hcsr04 tfluna),)
+$(error no sensor '$(SENSOR)'; use hcsr04 or tfluna)
 endif
 
 # A header that was removed does not stop the build: what included it is compiled again.

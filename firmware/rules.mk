@@ -6,7 +6,11 @@
 LIB_MODULES := $(addprefix lib/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud identity)
 CONTROLLERS := $(patsubst firmware/%/main.c,%,$(wildcard firmware/*/main.c))
 include firmware/pins.mk firmware/frames/frames.mk $(foreach name,$(CONTROLLERS),firmware/$(name)/$(name).mk)
-ALL_IMAGES  := $(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name)))
+# With SENSOR=tfluna those that have a range sensor to choose.
+ALL_IMAGES  := $(if $(filter tfluna,$(SENSOR)),$(IMAGES_OF_brake),$(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name))))
+SENSOR_FOLDER := $(if $(filter tfluna,$(SENSOR)),/tfluna)
+# The boards that hold the brake with this sensor.
+HOLDING     := $(basename $(notdir $(shell grep -lE '^SENSORS .*\<$(SENSOR)\>' firmware/boards/*.mk)))
 
 ifneq ($(filter flash sim,$(MAKECMDGOALS)),)
 ifeq ($(filter $(APP),$(ALL_IMAGES)),)
@@ -25,17 +29,23 @@ ifeq ($(BOARD),)
 .PHONY: flash $(BOARDS:%=firmware-%)
 flash:
 	$(error say which board: make flash BOARD=NAME PORT=DEVICE; the boards are: $(BOARDS))
-firmware: $(BOARDS:%=firmware-%)
+firmware: $(HOLDING:%=firmware-%)
+	$(if $(filter-out $(HOLDING),$(BOARDS)),@echo "SENSOR=$(SENSOR) does not fit these boards: $(filter-out $(HOLDING),$(BOARDS))")
 $(BOARDS:%=firmware-%): firmware-%: build/fistab build/bound $(filter build/%,$(foreach image,$(ALL_IMAGES),$($(image)_TABLE)))
 	@$(MAKE) BOARD=$* firmware
 else
 include firmware/boards/$(BOARD).mk
-OUT := build/$(BOARD)
+ifeq ($(filter $(SENSOR),$(SENSORS)),)
+$(error $(BOARD) does not hold the brake with SENSOR=$(SENSOR); the boards that do: $(HOLDING))
+endif
+OUT := build/$(BOARD)$(SENSOR_FOLDER)
+# Without those that are for a sensor which this board does not hold.
+ALL_IMAGES := $(foreach image,$(ALL_IMAGES),$(if $(filter $(or $($(image)_SENSOR),$(SENSOR)),$(SENSORS)),$(image)))
 
 SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
     -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
 # The identity of an image without its table (identity.h).
-identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz
+identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz$(if $(filter mcu/tfluna,$($(1)_MODULES)), tfluna)
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 # All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
 SDCC_VERSION := $(shell sdcc --version 2>/dev/null | head -n 1 | tr -cd '[:alnum:]. ')

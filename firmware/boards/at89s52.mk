@@ -7,6 +7,7 @@ CODE_BYTES := 8192
 IRAM_BYTES := 256
 ENCODING   := packed
 WATCHDOG   := at89s52
+SENSORS    := hcsr04
 BOARD_FAULT_PCT := 60
 
 # The default programmer is an Arduino with the sketch ArduinoISP; a USBasp (PROGRAMMER=usbasp) needs no

@@ -8,4 +8,5 @@ CODE_BYTES := 32768
 IRAM_BYTES := 256
 ENCODING   := plain
 WATCHDOG   := none
+SENSORS    := hcsr04 tfluna
 BOARD_FAULT_PCT := 60

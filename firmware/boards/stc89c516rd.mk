@@ -7,6 +7,7 @@ CODE_BYTES := 63488
 IRAM_BYTES := 256
 ENCODING   := plain
 WATCHDOG   := stc89
+SENSORS    := hcsr04 tfluna
 BOARD_FAULT_PCT := 60
 
 BOARD_FLASH = stcgal -P stc89 -p $(PORT) $(HEX)

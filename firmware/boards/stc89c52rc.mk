@@ -7,6 +7,7 @@ CODE_BYTES := 8192
 IRAM_BYTES := 256
 ENCODING   := packed
 WATCHDOG   := stc89
+SENSORS    := hcsr04
 BOARD_FAULT_PCT := 60
 
 BOARD_FLASH = stcgal -P stc89 -p $(PORT) $(HEX)

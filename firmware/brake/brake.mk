@@ -4,12 +4,18 @@
 # with main first, as SDCC's manual asks. Each carries a table, so that all start alike.
 IMAGES_OF_brake := brake tuned classic first none
 
-BRAKE_MODULES := brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning closing range) mcu/echo mcu/uart mcu/registers mcu/code
+# What each range sensor (SENSOR) takes the place of.
+BRAKE_FILES_hcsr04 := brake/closing brake/range mcu/echo mcu/uart
+BRAKE_FILES_tfluna := brake/closing_tfluna brake/range_tfluna mcu/tfluna
+
+brake_modules  = brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) mcu/registers mcu/code
+BRAKE_MODULES := $(call brake_modules,$(SENSOR))
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.
 BRAKE_SMALLER := GRID=80x80, LEVELS=50 or REPAIR=-1,+2 makes the table smaller
 # What the make line can change: FAULT_PCT beside these. The image without a controller has no STOP.
-BRAKE_KNOBS   := $(STOP_MM:%=-DBRAKE_STOP_MM=%U) $(RELEASE_MM:%=-DLATCH_NEAR_MM=%U) $(if $(STEP_MS),-DRANGE_PERIOD_MS=$(STEP_MS)U)
+STOP_KNOBS    := $(STOP_MM:%=-DBRAKE_STOP_MM=%U) $(RELEASE_MM:%=-DLATCH_NEAR_MM=%U)
+BRAKE_KNOBS   := -DSENSOR_$(SENSOR) $(STOP_KNOBS) $(if $(STEP_MS),-DRANGE_PERIOD_MS=$(STEP_MS)U)
 # The functions whose worst time build/BOARD/APP.bound states.
 BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_registers_restore brake_sum hal_code_is_good hal_stack_is_good apply show
 
@@ -26,9 +32,16 @@ tuned_FISTAB   = --encoding=$(ENCODING) --grid=$(TUNED_GRID)
 tuned_FLAGS   := -DESTIMATOR_smooth $(BRAKE_KNOBS)
 tuned_MODULES := $(BRAKE_MODULES) brake/law_tuned brake/cell brake/ease
 
+# For the lidar alone, whatever SENSOR says: its table goes as far as that sees.
+brake_far_SENSOR  := tfluna
+brake_far_TABLE   := tables/brake_far.fis
+brake_far_FISTAB   = --encoding=$(ENCODING) --grid=$(TUNED_GRID)
+brake_far_FLAGS   := -DSENSOR_tfluna -DESTIMATOR_smooth $(STOP_KNOBS)
+brake_far_MODULES := $(call brake_modules,tfluna) brake/law_tuned brake/cell brake/ease
+
 classic_FLAGS := $(BRAKE_KNOBS)
 first_FLAGS   := $(BRAKE_KNOBS)
-none_FLAGS    := -DBRAKE_STOP_MM=0U -UFAULT_PCT -DFAULT_PCT=0
+none_FLAGS    := -DSENSOR_$(SENSOR) -DBRAKE_STOP_MM=0U -UFAULT_PCT -DFAULT_PCT=0
 
 define brake_law
 $(1)_TABLE    := $(TABLE)

@@ -11,7 +11,7 @@
  *   hold    Brake on, and a gap as constant as the noise lets one see, for EASE_STILL_READINGS in a
  *           row: a rolling car would have slowed down and opened the gap by then. So this one
  *           stands, or the one ahead slows down as much, where braking is right as well. From then
- *           on the least brake rises by 1 % a reading up to EASE_HOLD_PCT. It ends when the gap
+ *           on the least brake rises by 1 % each 60 ms up to EASE_HOLD_PCT. It ends when the gap
  *           opens by EASE_OPENING_MMPS, three times the smooth estimator's noise, or the target
  *           goes.
  *
@@ -31,6 +31,7 @@
 #define EASE_STILL_MMPS     100U
 #define EASE_STILL_READINGS RANGE_READINGS(192U)
 #define EASE_HOLD_PCT       30U
+#define EASE_HOLD_READINGS  RANGE_READINGS_MIN(1U, 6U) /* for 1 % more */
 
 /* A target that was not there before. */
 /*@ assigns \nothing; */

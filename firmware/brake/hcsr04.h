@@ -25,9 +25,10 @@
 /* FAULT comes after three periods without a believed reading. */
 #define RANGE_SILENCE_CS (3U * RANGE_PERIOD_CS)
 
-/* The least time between two readings, and the least one for a speed. */
+/* The least time from one reading to the next; two of them make a speed. */
 #define RANGE_ELAPSED_MIN_CS 5U
 #define RANGE_SPAN_MIN_CS    5U
+#define RANGE_IS_FAST        0
 
 /* Speed of sound: 343.2 m/s at 20 C; 0.6 m/s more each degree. */
 #ifndef SOUND_MMPS

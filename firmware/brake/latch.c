@@ -7,6 +7,9 @@ uint8_t latch_state;
 
 static uint8_t clear_readings;     /* in a row */
 static uint8_t elsewhere_readings; /* of a target that began beyond LATCH_NEAR_MM */
+#if RANGE_IS_FAST
+static __idata uint8_t opening_readings; /* in a row, up to LATCH_OPENING_READINGS */
+#endif
 
 enum column {
     WITHIN,
@@ -78,6 +81,9 @@ void latch_init(void)
     latch_state = LATCH_OPEN;
     clear_readings = 0;
     elsewhere_readings = 0;
+#if RANGE_IS_FAST
+    opening_readings = 0;
+#endif
 }
 
 void latch_hold(void)
@@ -89,6 +95,23 @@ void latch_override(void)
 {
     latch_state = LATCH_OPEN;
 }
+
+#if RANGE_IS_FAST
+/* Whether the tracked target opens, and did in the last readings. */
+static bool is_opening(void)
+{
+    if (closing_smooth.opening_mmps <= LATCH_OPENING_MMPS) {
+        opening_readings = 0;
+        return false;
+    }
+    if (opening_readings < LATCH_OPENING_READINGS) {
+        opening_readings++;
+    }
+    return opening_readings >= LATCH_OPENING_READINGS;
+}
+#else
+#define is_opening() (closing_smooth.opening_mmps > LATCH_OPENING_MMPS)
+#endif
 
 /* An echo beyond LATCH_NEAR_MM. */
 /*@ requires latch_is_valid && latch_sees_beyond;
@@ -111,7 +134,7 @@ static uint8_t far_column(bool is_of_target)
             }
         }
         if (target_worth == TARGET_TRACKED) {
-            if (closing_smooth.opening_mmps > LATCH_OPENING_MMPS) {
+            if (is_opening()) {
                 return OPENING;
             }
             return BEYOND_TRACKED;
@@ -155,6 +178,9 @@ static uint8_t column_of(bool is_of_target)
         return far_column(is_of_target);
     }
     elsewhere_readings = 0;
+#if RANGE_IS_FAST
+    opening_readings = 0;
+#endif
     if (range_reading.dist_mm > BRAKE_STOP_MM) {
         return NEAR;
     }
@@ -179,5 +205,9 @@ void latch_take(bool is_of_target)
 
 uint8_t latch_sum(void)
 {
+#if RANGE_IS_FAST
+    return latch_state ^ clear_readings ^ elsewhere_readings ^ opening_readings;
+#else
     return latch_state ^ clear_readings ^ elsewhere_readings;
+#endif
 }

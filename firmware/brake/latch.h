@@ -17,7 +17,8 @@
  *   override  the driver has held it for a second
  *   <= 1 m, <= 1.3 m, beyond   the distance of an echo, whatever it is worth
  *   tracked   the reading is believed as the third or a later one of its target
- *   opening   tracked, beyond 1.3 m, opening at more than LATCH_OPENING_MMPS
+ *   opening   tracked, beyond 1.3 m, opening at more than LATCH_OPENING_MMPS; of a sensor that
+ *             measures every 10 ms, for LATCH_OPENING_READINGS in a row
  *   passed    another target than that of STOP is tracked beyond 1.3 m, for LATCH_PASSED_READINGS
  *   road      the last LATCH_ROAD_READINGS were clear, every one of them
  *   fault     no echo, and no clear road either */
@@ -38,9 +39,10 @@
 #if LATCH_NEAR_MM < BRAKE_STOP_MM || LATCH_NEAR_MM > RANGE_MAX_MM
 #error RELEASE_MM must be STOP_MM to 6000
 #endif
-#define LATCH_OPENING_MMPS    200U
-#define LATCH_PASSED_READINGS RANGE_READINGS(100U)
-#define LATCH_ROAD_READINGS   RANGE_READINGS(200U)
+#define LATCH_OPENING_MMPS     200U
+#define LATCH_OPENING_READINGS RANGE_READINGS_MIN(1U, 6U)
+#define LATCH_PASSED_READINGS  RANGE_READINGS(100U)
+#define LATCH_ROAD_READINGS    RANGE_READINGS(200U)
 
 enum latch_state { LATCH_OPEN, LATCH_TRIAL, LATCH_DOUBTED, LATCH_HELD, LATCH_OPENING };
 #define LATCH_STATES 5U

@@ -3,6 +3,7 @@
 #ifndef FUZZY51_RANGE_H
 #define FUZZY51_RANGE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include "cc51.h"
 
@@ -37,6 +38,8 @@ struct range_reading {
 };
 extern __data struct range_reading range_reading;
 
+#if RANGE_IS_TRIGGERED
+
 /* The distance for a way there and back of 0..65535 ticks (machine cycles, 12 / CLK_HZ): in mm, at
  * most 1 mm off the exact quotient, never falling when ticks rise. At most 75 mc. */
 /*@ assigns \nothing; */
@@ -57,5 +60,44 @@ inline uint8_t range_kind(uint16_t dist_mm)
     }
     return kind;
 }
+
+#else
+
+/* The bytes that came from the sensor: the interrupt writes the one to RANGE_NEXT and adds one to
+ * range_came. It drops a byte that has no room: a frame of nine bytes leaves seven, 7 ms. */
+#define RANGE_RING_BYTES 16U
+extern volatile __idata uint8_t range_ring[RANGE_RING_BYTES];
+extern volatile uint8_t range_came;
+#define RANGE_NEXT       range_ring[range_came & (RANGE_RING_BYTES - 1U)]
+
+/* How many of them range_take has taken. */
+extern uint8_t range_taken;
+
+/* Looks at the oldest nine of them. True: they are a good frame, which it takes. Else it takes one
+ * at most: ask again. Up to 250 mc. */
+bool range_take(void);
+
+/* Drops what came so far. */
+void range_restart(void);
+
+/* The distance in the last good frame, cm. */
+/*@ assigns \nothing; */
+uint16_t range_raw(void);
+
+/* The distance for 0..65535 cm, mm; more than 65535 mm count as that. */
+/*@ assigns \nothing;
+    ensures \result == (cm > 6553 ? 65535 : 10 * cm); */
+uint16_t range_mm(uint16_t cm);
+
+/* What the last good frame says, if that is its distance. The manual calls a distance unreliable
+ * when the strength is below 100, which is so when nothing is there to send light back, and when it
+ * is 65535, which is so in bright light. A strong answer from less than 20 cm is the dead zone. */
+/*@ assigns \nothing;
+    ensures \result == RANGE_ECHO ==> RANGE_MIN_MM <= dist_mm <= RANGE_MAX_MM;
+    ensures dist_mm < RANGE_MIN_MM ==> \result != RANGE_ECHO;
+    ensures \result <= RANGE_DEAD_ZONE; */
+uint8_t range_kind(uint16_t dist_mm);
+
+#endif
 
 #endif

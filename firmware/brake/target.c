@@ -5,6 +5,13 @@
 
 uint8_t target_worth;
 
+/* Whether two places so far apart in time tell a speed. */
+#if RANGE_IS_FAST
+#define TELLS_SPEED(time_cs) ((time_cs) >= RANGE_SPAN_MIN_CS && (time_cs) != LONG_AGO_CS)
+#else
+#define TELLS_SPEED(time_cs) ((time_cs) != LONG_AGO_CS)
+#endif
+
 /* Too long for the place of a target to say where it is now. */
 #define LONG_AGO_CS (TARGET_SILENCE_MAX_CS + 1U)
 
@@ -22,6 +29,12 @@ static uint8_t clears;         /* since the target was seen */
 
 static uint16_t echo_mm; /* this reading */
 
+#if RANGE_IS_FAST
+/* Since the target's reading differed from the one before: 0 if it may have come to rest, else its
+ * speed then, 256 mm/s; and how far it should have come at that speed, 2.56 mm, up to 255. */
+static __idata uint8_t run_speed, run_way;
+#endif
+
 /* Holds from target_init on. */
 /*@ predicate target_is_valid =
         target_worth <= TARGET_TRACKED && since_cs <= LONG_AGO_CS &&
@@ -34,6 +47,9 @@ static void drop(void)
 {
     target_worth = TARGET_NONE;
     stuck_readings = 0;
+#if RANGE_IS_FAST
+    run_speed = 0;
+#endif
     closing_restart();
 }
 
@@ -85,6 +101,19 @@ static bool may_not_rest(void)
     return HIGH(closing_smooth) >= TARGET_STUCK_SMOOTH;
 }
 
+#if RANGE_IS_FAST
+/* Whether the target must have left the place of its last reading by now. */
+static bool has_come_far(uint8_t elapsed_cs)
+{
+    uint16_t way = (uint16_t)(mul_u8(run_speed, elapsed_cs) + run_way);
+
+    run_way = way > 255U ? 255U : (uint8_t)way;
+    return run_way >= TARGET_STUCK_WAY;
+}
+#else
+#define has_come_far(elapsed_cs) may_not_rest()
+#endif
+
 /*@ requires target_is_valid;
     assigns since_cs, since_aside_cs, was_clear, is_clear, is_moving, stuck_readings, smooth_2mmps;
     ensures target_is_valid; */
@@ -111,7 +140,7 @@ void target_expect(uint8_t elapsed_cs)
         if (since_cs == LONG_AGO_CS) {
             drop();
         } else if (target_worth >= TARGET_NEW) {
-            is_moving = may_not_rest();
+            is_moving = has_come_far(elapsed_cs);
             closing_expect(since_cs);
         }
     }
@@ -146,7 +175,7 @@ static uint8_t judge(void)
     if (target_worth >= TARGET_NEW && off_mm <= gate_mm) {
         return TARGET_TRACKED;
     }
-    if (since_aside_cs != LONG_AGO_CS && can_reach(aside_mm, since_aside_cs)) {
+    if (TELLS_SPEED(since_aside_cs) && can_reach(aside_mm, since_aside_cs)) {
         off_mm = (uint16_t)(echo_mm - aside_mm + TARGET_LIKELY_MM);
         if (target_worth == TARGET_NONE || target_worth >= TARGET_NEW ||
             (since_aside_cs < since_cs && off_mm <= 2U * TARGET_LIKELY_MM)) {
@@ -186,6 +215,10 @@ static bool is_stuck(void)
             stuck_readings = 0;
             target_worth = TARGET_NONE;
         }
+#if RANGE_IS_FAST
+        run_speed = may_not_rest() ? HIGH(closing_smooth) : 0;
+        run_way = 0;
+#endif
         return false;
     }
     if (is_moving) {
@@ -209,11 +242,21 @@ uint8_t target_echo(uint16_t dist_mm)
     }
     worth = judge();
     if (worth == TARGET_NONE) {
+#if RANGE_IS_FAST
+        if (since_aside_cs < RANGE_SPAN_MIN_CS && can_reach(aside_mm, since_aside_cs)) {
+            return BRAKE_FAULT_JUMP;
+        }
+#endif
         aside_mm = echo_mm;
         since_aside_cs = 0;
         return BRAKE_FAULT_JUMP;
     }
     since_aside_cs = LONG_AGO_CS;
+#if RANGE_IS_FAST
+    if ((worth == TARGET_NEW || worth == TARGET_NEW_LATE) && !TELLS_SPEED(since_cs)) {
+        return BRAKE_FAULT_NONE;
+    }
+#endif
     target_worth = worth;
     if (worth == TARGET_TRACKED) {
         closing_take(echo_mm, since_cs);
@@ -221,6 +264,9 @@ uint8_t target_echo(uint16_t dist_mm)
         was_near = false;
     } else if (worth >= TARGET_NEW) {
         closing_take_second(echo_mm, since_cs);
+#if RANGE_IS_FAST
+        run_speed = 0;
+#endif
     } else {
         closing_restart();
     }
@@ -266,5 +312,8 @@ uint8_t target_clear(void)
 uint8_t target_sum(void)
 {
     return target_worth ^ since_cs ^ since_aside_cs ^ stuck_readings ^ clears ^ (uint8_t)aside_mm ^
+#if RANGE_IS_FAST
+           run_speed ^ run_way ^
+#endif
            (uint8_t)(aside_mm >> 8);
 }

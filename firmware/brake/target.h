@@ -78,6 +78,10 @@ enum target_worth {
  * makes v uncertain by 10 mm / t. All that is less than 0.65 m/s and 0.05 for each 1/100 s of t. */
 #define TARGET_STUCK        3U /* 256 mm/s, and 64 mm/s for each 1/100 s, rounded down to 256 */
 #define TARGET_STUCK_SMOOTH 4U
+/* A sensor that measures every 10 ms sees a slow target at the same place twice. There the same
+ * reading is not believed once the target, moving as above, should have come so far, in 2.56 mm,
+ * since the reading changed: 123 mm, four times what noise of 2 cm can hide. */
+#define TARGET_STUCK_WAY 48U
 /* Two readings that tell of so much, 8 m/s, are likelier a stray echo and one of a target. */
 #define TARGET_STUCK_NEW_MAX 32U
 #define TARGET_REST_READINGS (RANGE_READINGS(300U) < 250U ? RANGE_READINGS(300U) : 250U)

@@ -6,7 +6,10 @@
 
 /* It measures by itself, 100 times a second, in steps of 1 cm. */
 #define RANGE_IS_TRIGGERED 0
-#define RANGE_PERIOD_MS    10U
+#ifdef RANGE_PERIOD_MS
+#error STEP_MS is for SENSOR=hcsr04; the TF-Luna measures every 10 ms
+#endif
+#define RANGE_PERIOD_MS 10U
 
 /* It sees from 0.2 to 8 m. */
 #define RANGE_MIN_MM 200U
@@ -18,10 +21,11 @@
 /* FAULT comes after 180 ms without a believed reading. */
 #define RANGE_SILENCE_CS 18U
 
-/* The least time between two readings, and the least one for a speed: in 10 ms the step of 1 cm is
- * 1 m/s. */
+/* The least time from one reading to the next, and the least one for a speed: in 10 ms the step of
+ * 1 cm is 1 m/s. */
 #define RANGE_ELAPSED_MIN_CS 1U
 #define RANGE_SPAN_MIN_CS    6U
+#define RANGE_IS_FAST        1
 
 /* The strength of the light that comes back. Below the first the distance means nothing; the second
  * one says that other light blinds the sensor. */

@@ -78,6 +78,10 @@ bool hal_stack_is_good(void); /* whether the last byte of the stack was never us
 /* SDCC writes an interrupt's vector only if the file with main sees the interrupt's prototype. */
 void pwm_interrupt(void) __interrupt(3) __using(1);
 
+#ifdef SENSOR_tfluna
+void tfluna_interrupt(void) __interrupt(4);
+#endif
+
 /* The last vector, so that each one before it is there, too: an interrupt that a bit's flip has let
  * through returns at once. */
 void unused_interrupt(void) __interrupt(5) __naked;

@@ -1,23 +1,24 @@
 # SPDX-License-Identifier: MIT
 # The laboratory: drive's world around control logic that runs on the host. Each law of the brake is a
-# shared object, build/lab-images/NAME.so.
+# shared object, build/lab-images/NAME.so; with SENSOR=tfluna build/lab-images/tfluna/NAME.so.
 lab_SRC  := $(filter-out tools/lab/lut.c,$(lab_SRC)) \
     $(filter-out %/main.c $(COMMON_SRC),$(fistab_SRC) $(filter-out tools/drive/sim/canary_image.c,$(drive_SRC)))
 lab_LIBS := -linih -lcjson -ldl -lm
 build/host/tools/lab/%.o: HOST_FLAGS += $(DRIVE_ROOMS) -Itools/fistab -Ifirmware/lib
 
-LAB_IMAGES = $(IMAGES_OF_brake:%=build/lab-images/%.so)
+LAB_OUT    = build/lab-images$(SENSOR_FOLDER)
+LAB_IMAGES = $(IMAGES_OF_brake:%=$(LAB_OUT)/%.so)
 .PHONY: lab-images
 tools: lab-images
 define lab_image
-lab-images: build/lab-images/$(1).so
-build/lab-images/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
+lab-images: $(LAB_OUT)/$(1).so
+$(LAB_OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
 	@mkdir -p $$(@D)
 	$$(Q)build/fistab table $$< --name=lut $$(filter --grid=%,$$($(1)_FISTAB)) -o $$@
-build/lab-images/$(1).so: tools/lab/lut.c $(patsubst %,firmware/%.c,lib/fixed $(filter-out brake/main,$(filter brake/%,$($(1)_MODULES)))) \
-        $(wildcard firmware/brake/*.h firmware/lib/*.h) build/lab-images/$(1)/lut_table.h
+$(LAB_OUT)/$(1).so: tools/lab/lut.c $(patsubst %,firmware/%.c,lib/fixed $(filter-out brake/main,$(filter brake/%,$($(1)_MODULES)))) \
+        $(wildcard firmware/brake/*.h firmware/lib/*.h) $(LAB_OUT)/$(1)/lut_table.h
 	$$(Q)$$(CC) -O2 -g -std=c11 -fPIC -shared -DCLK_HZ=12000000UL -DFAULT_PCT=60 $($(1)_FLAGS) -Ifirmware/brake -Ifirmware/lib \
-	    -Ibuild/lab-images/$(1) $$(filter %.c,$$^) -o $$@
+	    -I$(LAB_OUT)/$(1) $$(filter %.c,$$^) -o $$@
 endef
 
 # A random search for drives in which a controller does what nobody expects. Less than one drive in a
