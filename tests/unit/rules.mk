@@ -8,7 +8,7 @@ UNIT_FLAGS := -DCLK_HZ=12000000UL -I$(UNITY) -Ibuild/unit -Ifirmware/lib -Ifirmw
 # The test of an image with a table of its own includes the image's decision, and lut.c, as source.
 UNIT_TABLES := $(filter-out brake,$(filter $(ALL_IMAGES),$(UNIT_TESTS:build/unit/test_%=%)))
 UNIT_TABLES := $(foreach image,$(UNIT_TABLES),$(if $(filter-out $(TABLE),$($(image)_TABLE)),$(image)))
-LOGIC_SRC   := $(filter-out %/main.c firmware/frames/frames.c firmware/brake/law_%.c,$(wildcard firmware/lib/*.c firmware/frames/*.c $(CONTROLLERS:%=firmware/%/*.c)))
+LOGIC_SRC   := $(filter-out %/main.c firmware/frames/frames.c firmware/brake/law_%.c %_tfluna.c,$(wildcard firmware/lib/*.c firmware/frames/*.c $(CONTROLLERS:%=firmware/%/*.c)))
 LOGIC_SRC   := $(filter-out $(foreach image,$(UNIT_TABLES),%/$(image).c),$(LOGIC_SRC)) firmware/brake/law_fuzzy.c
 
 SDCC_UNIT  := sdcc -mmcs51 --std-c11 --model-large --stack-auto
