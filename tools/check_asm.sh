@@ -4,7 +4,8 @@
 #     tools/check_asm.sh FILE.asm...        all of one program, compiled with --i-code-in-asm
 # Interrupts: one must call nothing (it would share the callee's fixed parameters and locals with main),
 # must not touch an overlay segment (whose bytes belong to whatever main was running), and needs its
-# vector (SDCC sets it only if main's file sees the prototype; else it links, and never runs).
+# vector (SDCC sets it only if main's file sees the prototype; else it links, and never runs). What the
+# program calls is no interrupt, even if it ends with reti.
 # Stores: `lamp.is_on = n == 2;` stores nothing where the right side is a bare ==, < or > and the left
 # side is a bool in near memory reached through an address: a struct's member, an array's element. The
 # result stays in the carry; SDCC's intermediate code shows it as a bit that has no place. (Fine are
@@ -30,6 +31,7 @@ FNR == 1 { function_name = ""; area = ""; source = "" }
 $1 == ".area" { area = $2; function_name = ""; next }
 area == "OSEG" && /^_[A-Za-z0-9_]+:/ { sub(/:.*/, ""); overlay[$1] = 1; next }
 area == "HOME" && $1 == "ljmp" { vector[$2] = 1; next }
+$1 == "lcall" { called[$2] = 1 }
 /^_[A-Za-z0-9_]+::?/ && area == "CSEG" { sub(/:.*/, ""); function_name = $1; functions[FILENAME] = 1; next }
 function_name != "" && NF > 0 {
     lines[function_name] = lines[function_name] FILENAME ":" FNR "\t" $0 "\n"
@@ -44,6 +46,9 @@ END {
         }
     }
     for (name in interrupts) {
+        if (!(name in vector) && (name in called)) {
+            continue
+        }
         plain = substr(name, 2)
         if (!(name in vector)) {
             complain(interrupts[name], "interrupt \047" plain "\047 has no vector; show its prototype to the file with main")

@@ -26,5 +26,6 @@ exec 3<>"$keys"
 echo "$image in uCsim's console: run, stop, step, state, info registers, help; quit ends it."
 echo "The UART writes to $uart. In another terminal: tail -f $uart; printf v >$keys sends it a v."
 echo "The echo is low, as without a target: set bit pin3.2 1 raises it."
+# PCON.4, POF, which power-on sets in a chip and not in s51.
 exec tools/s51 -t "$(of_board S51_TYPE)" -X "$(of_board CLK_HZ)" -R 1 -S "uart=0,in=$keys,out=$uart" \
-    -e 'set bit pin3.2 0' "$image"
+    -e 'set bit pin3.2 0' -e 'set mem sfr 0x87 0x10' "$image"

@@ -8,7 +8,7 @@ IMAGES_OF_brake := brake tuned classic first none
 BRAKE_FILES_hcsr04 := brake/closing brake/range mcu/echo mcu/uart
 BRAKE_FILES_tfluna := brake/closing_tfluna brake/range_tfluna mcu/tfluna
 
-brake_modules  = brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) mcu/registers mcu/code
+brake_modules  = brake/main $(LIB_MODULES) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) mcu/round mcu/registers mcu/code
 BRAKE_MODULES := $(call brake_modules,$(SENSOR))
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.

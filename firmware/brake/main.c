@@ -28,7 +28,6 @@ enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
 static uint8_t phase;      /* enum phase; any other value is PHASE_RUN */
 static uint8_t table_test; /* enum selftest */
 static uint8_t idle_wait;  /* ticks */
-static bool has_run_wild;  /* main began again without a reset */
 
 static uint8_t triggered; /* tick of the last trigger, or of the last reading without one */
 static bool is_measuring;
@@ -247,7 +246,7 @@ static void test(void)
             return;
         }
         fault = BRAKE_FAULT_IDLE;
-    } else if (has_run_wild || hal_reset_cause() == HAL_RESET_WATCHDOG) {
+    } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
         fault = BRAKE_FAULT_WATCHDOG;
     }
     finish_selftest(fault);
@@ -354,11 +353,13 @@ static void talk(void)
 /*@ requires pin_stop && pin_brake_pct == 100 && table_test <= SELFTEST_FAILED; */
 void main(void)
 {
-    /* Must be first: the pins are safe, the clock runs. */
+    /* Must be first: the pins are safe, the clock runs. Each start clears RAM. */
+    if (phase == PHASE_RUN) {
+        hal_restart();
+    }
     hal_init();
 
-    /* In any order. A reset clears RAM. */
-    has_run_wild = phase == PHASE_RUN;
+    /* In any order. */
     phase = PHASE_TEST;
     brake_init(BRAKE_FAULT_NONE); /* nothing of it is at the pins before the self-test is over */
     is_talking = true;
@@ -370,7 +371,7 @@ void main(void)
     /*@ loop invariant t9_on: main_is_valid; */
     for (;;) {
         /* Every round, less than a millisecond. */
-        HAL_BEGIN_ROUND();
+        hal_begin_round();
         hal_registers_restore();
         if (phase == PHASE_TEST) {
             test();

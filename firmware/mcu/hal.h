@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The seam between a controller and the machine that it runs on. For the 8051 it is implemented by
- * start.c, pwm.c, echo.c and uart.c. All calls return at once. Costs are in machine cycles (mc)
+ * the files of this folder. All calls return at once. Costs are in machine cycles (mc)
  * with call and return, in SDCC's small model. */
 #ifndef FUZZY51_HAL_H
 #define FUZZY51_HAL_H
@@ -47,13 +47,13 @@ bool hal_uart_ready(void); /* whether hal_uart_put may be called: the last chara
 void hal_uart_put(char c); /* sends a character */
 char hal_uart_get(void);   /* the character that came in, or 0 if none came */
 
-/* At the begin of a round of main, where nothing is on the stack: sets the stack pointer and the
- * processor's flags again, with their register bank. 4 mc. */
-#ifdef __SDCC
-#define HAL_BEGIN_ROUND() __asm__("mov psw, #0\n mov sp, #(__start__stack - 1)")
-#else
-#define HAL_BEGIN_ROUND() ((void)0)
-#endif
+/* At the begin of a round of main, where nothing is on the stack: sets the processor's flags with
+ * their register bank again. If the stack pointer is not where it was then, something has run that
+ * main did not call: hal_restart. 12 mc. */
+void hal_begin_round(void);
+
+/* Starts the program again, as the watchdog would, but at once. Does not return. */
+void hal_restart(void);
 
 /* Sets again what hal_init set in the brake's registers of timers, interrupts, UART and inputs: a
  * bit that has flipped there is right again. 35 mc. */
@@ -63,7 +63,7 @@ void hal_registers_restore(void);
  * generic8052 has no watchdog. */
 void hal_watchdog_feed(void);
 
-/* What led to this start. */
+/* What led to this start. WATCHDOG is hal_restart, too, and a program that ran wild to address 0. */
 enum hal_reset { HAL_RESET_POWER, HAL_RESET_WATCHDOG, HAL_RESET_PIN };
 uint8_t hal_reset_cause(void); /* enum hal_reset */
 

@@ -6,15 +6,22 @@
  */
 #define CAUSE_SHIFT 2U
 #define CAUSE_MASK  (3U << CAUSE_SHIFT) /* GF1, GF0 */
-#define POWER_OFF   0x10U /* POF: power-on sets it, we clear it; 0 on chips without it */
+#define POWER_OFF   0x10U               /* POF: power-on sets it, we clear it */
 
 #define STACK_PAINT 0xAA
 #define RAM_TOP     0xFF
 
-/* RAM keeps its content through a reset. So the paint at the end of the stack tells a restart from
- * power-on, and one byte of two is enough: a program that ran wild may have spoilt the other.
- * SDCC's start-up clears all RAM, but only after it has called _sdcc_external_startup. */
+#if defined(WATCHDOG_none)
+/* A plain 8052 has no POF; there it reads 0. But RAM keeps its content through a reset. So the paint
+ * at the end of the stack tells a restart from power-on, and one byte of two is enough: a program
+ * that ran wild may have spoilt the other. SDCC's start-up clears all RAM, but only after it has
+ * called _sdcc_external_startup. */
 #define IS_PAINTED(address) (*(volatile uint8_t __idata *)(address) == STACK_PAINT)
+#define IS_POWER_ON()                                                                              \
+    ((PCON & POWER_OFF) != 0 || !(IS_PAINTED(RAM_TOP) || IS_PAINTED(RAM_TOP - 1U)))
+#else
+#define IS_POWER_ON() ((PCON & POWER_OFF) != 0)
+#endif
 
 __sfr __at(0xE1) WDT_CONTR; /* STC89 */
 __sfr __at(0xA6) WDTRST;    /* AT89S52 */
@@ -34,13 +41,14 @@ unsigned char EXTERNAL_STARTUP(void)
 {
     uint8_t cause = HAL_RESET_POWER;
 
+    EA = 0;              /* a program that ran wild may come here without a reset */
     hal_watchdog_feed(); /* time to paint the stack again, even if it ran already */
     pin_pwm = 1;
     pin_stop = 1;
     pin_lamp = 1;
     pin_buzzer = 1;
     pin_trigger = 0;
-    if ((PCON & POWER_OFF) == 0 && (IS_PAINTED(RAM_TOP) || IS_PAINTED(RAM_TOP - 1U))) {
+    if (!IS_POWER_ON()) {
 #if defined(WATCHDOG_at89s52)
         cause = HAL_RESET_WATCHDOG; /* a reset by pin looks the same; take the worse cause */
 #elif defined(WATCHDOG_stc89)
@@ -48,6 +56,9 @@ unsigned char EXTERNAL_STARTUP(void)
 #else
         cause = HAL_RESET_PIN;
 #endif
+    }
+    if (TR1) { /* a reset stops timer 1 */
+        cause = HAL_RESET_WATCHDOG;
     }
     PCON = (uint8_t)(cause << CAUSE_SHIFT);
     return 0;

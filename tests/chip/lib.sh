@@ -41,6 +41,7 @@ s51_start() {
     s51_uart=$s51_dir/uart
     mkfifo "$s51_dir/pins" "$s51_dir/keys" "$s51_dir/console"
     {
+        echo 'set mem sfr 0x87 0x10' # PCON.4, POF, which power-on sets in a chip and not in s51
         echo 'var sync'
         if [ -n "${S51_TYPES:-}" ]; then echo 'uart0_check_often=1'; fi
         echo "set hw vcd[0] output \"$s51_dir/out\""

@@ -81,6 +81,14 @@ char hal_uart_get(void)
 void hal_watchdog_feed(void)
 {
 }
+void hal_begin_round(void)
+{
+}
+void hal_restart(void)
+{
+    for (;;) {
+    }
+}
 void hal_registers_restore(void)
 {
 }

@@ -43,6 +43,11 @@ void hal_uart_put(char c);
 /*@ assigns \nothing; */
 char hal_uart_get(void);
 /*@ assigns \nothing; */
+void hal_begin_round(void);
+/*@ assigns \nothing;
+    ensures \false; */
+void hal_restart(void);
+/*@ assigns \nothing; */
 void hal_registers_restore(void);
 /*@ assigns \nothing; */
 void hal_watchdog_feed(void);

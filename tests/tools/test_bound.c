@@ -324,6 +324,15 @@ static void test_a_trap_does_not_hide_the_return(void)
     TEST_ASSERT_EQUAL_INT(2 + 4 + 2, cycles_of(0x100));
 }
 
+/* jz return; mul; ljmp 0; return: ret. A jump to 0 starts the program again, and its way counts. */
+static void test_a_jump_to_the_start_is_no_recursion(void)
+{
+    put_start();
+    PUT(0x100, 0x60, 0x04, 0xA4, 0x02, 0x00, 0x00, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(2 + 4 + 2, cycles_of(0x100));
+}
+
 /* Between its vectors SDCC 4.5 has routines, in which 0x02 is no jump. */
 static void test_the_atomic_routines_are_no_vectors(void)
 {
@@ -462,6 +471,7 @@ int main(void)
     RUN_TEST(test_a_loop_that_counts_with_constants_needs_no_bound);
     RUN_TEST(test_a_counter_that_an_interrupt_changes_bounds_nothing);
     RUN_TEST(test_a_trap_does_not_hide_the_return);
+    RUN_TEST(test_a_jump_to_the_start_is_no_recursion);
     RUN_TEST(test_the_atomic_routines_are_no_vectors);
     RUN_TEST(test_loops_that_cannot_be_bounded_are_refused);
     RUN_TEST(test_a_round_of_an_endless_loop);

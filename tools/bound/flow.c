@@ -265,7 +265,7 @@ static int targets_of(const struct flow *flow, const struct node *node, const st
         return 2;
     case COURSE_JUMP:
         targets[0] = node->it.target;
-        return 1;
+        return node->it.target == 0 ? 0 : 1; /* the program starts again */
     case COURSE_RETURN:
         if (node->depth == 0) {
             return 0;
@@ -323,7 +323,7 @@ static bool visit(struct settling *work, int at)
     if (node.it.course == COURSE_RETURN && count > 0) {
         values_drop(&values, FLOW_RETURN_ADDRESS);
     }
-    node.returns = node.it.course == COURSE_RETURN && count == 0;
+    node.returns = count == 0; /* or starts the program again, which is taken for a return */
     memset(&flow->is_code[node.address], true, node.it.bytes);
     if (!node.is_known) {
         node.first = function->successor_count;

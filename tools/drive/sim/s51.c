@@ -256,6 +256,8 @@ static bool write_start_file(const struct s51 *sim, const struct sim_setup *setu
     }
     /* Otherwise version 0.8.15 takes the line for a Telnet connection and loses bytes of frames.
      * 0.6.4 does not know the command, and does not need it. */
+    /* PCON.4, POF, which power-on sets in a chip and not in s51. */
+    fputs("set mem sfr 0x87 0x10\n", file);
     fputs("set hw uart[0] raw 1\nvar sync\nset hw vcd[0] output \"out\"\n", file);
     for (int i = 0; i < setup->watch_count; i++) {
         fprintf(file, "set hw vcd[0] add %s\n", pin_file(setup->watch[i], "port", name));
