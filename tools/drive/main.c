@@ -10,6 +10,7 @@
 #include "live.h"
 #include "keys_page.h"
 #include "manual.h"
+#include "number.h"
 #include "plot.h"
 #include "protocols.h"
 #include "run.h"
@@ -18,7 +19,6 @@
 #include "trace.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -84,20 +84,6 @@ struct arguments {
     char *words[2];
     int word_count;
 };
-
-static long parse_count(struct argp_state *state, const char *option, const char *text, long low,
-                        long high)
-{
-    char *end;
-    long value;
-
-    errno = 0;
-    value = strtol(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || value < low || value > high) {
-        argp_error(state, "--%s=%s: give a whole number in %ld..%ld", option, text, low, high);
-    }
-    return value;
-}
 
 static error_t take_option(int key, char *text, struct argp_state *state)
 {

@@ -4,14 +4,14 @@
 #include "diag.h"
 #include "lab.h"
 #include "loop.h"
+#include "number.h"
 #include "world.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 8, SETTINGS = 32 };
+enum { WORDS = 8, SETTINGS = 32, MOST = 1000000 };
 enum { OPT_SCENARIO = 256, OPT_SET, OPT_SEED, OPT_RUNS, OPT_ROUNDS };
 
 const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
@@ -35,19 +35,6 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static long count(struct argp_state *state, const char *option, const char *text, long low)
-{
-    char *end;
-    long value;
-
-    errno = 0;
-    value = strtol(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || value < low || value > 1000000) {
-        argp_error(state, "--%s=%s: give a whole number in %ld..1000000", option, text, low);
-    }
-    return value;
-}
-
 static error_t take_option(int key, char *text, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
@@ -63,13 +50,13 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         arguments->settings[arguments->setting_count++] = text;
         return 0;
     case OPT_SEED:
-        arguments->seed = count(state, "seed", text, 0);
+        arguments->seed = parse_count(state, "seed", text, 0, MOST);
         return 0;
     case OPT_RUNS:
-        arguments->runs = count(state, "runs", text, 1);
+        arguments->runs = parse_count(state, "runs", text, 1, MOST);
         return 0;
     case OPT_ROUNDS:
-        arguments->rounds = count(state, "rounds", text, 0);
+        arguments->rounds = parse_count(state, "rounds", text, 0, MOST);
         return 0;
     case 'o':
         arguments->output = text;

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "fair.h"
+
+#include "fast.h"
+#include "rig.h"
+#include "sim.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { CLOCKS_PER_CYCLE = 12 };
+
+struct judge_row fair_row_of(const struct world_class *class, const struct world *world,
+                             double *speed_mps)
+{
+    double values[WORLD_COLUMNS];
+
+    class->values(world, values);
+    *speed_mps = values[RIG_OWN_SPEED];
+    return (struct judge_row){.gap_m = isnan(values[RIG_GAP]) ? INFINITY : values[RIG_GAP],
+                              .demand_pct = values[RIG_BRAKE]};
+}
+
+bool fair_is_in_fault(struct loop *loop, long fault_at)
+{
+    return fault_at >= 0 && mcs52_ram(fast_chip(run_sim(loop)))[fault_at] != 0;
+}
+
+/* --- the inputs --------------------------------------------------------------------------- */
+
+struct recorder {
+    struct fair *fair;
+    const struct run *run;
+    const struct board *board;
+    struct loop *loop;
+};
+
+/* As the engine does it: the change comes in the cycle after the grid point. */
+static void note_input(void *user, int64_t t_ns, enum board_pin pin, bool level)
+{
+    struct recorder *recorder = user;
+    struct fair *fair = recorder->fair;
+    int64_t grid_ns;
+
+    if (pin < BOARD_OUTPUTS || recorder->loop == NULL) {
+        return;
+    }
+    if (fair->input_count == FAIR_INPUTS) {
+        abort();
+    }
+    grid_ns = sim_grid_ns(run_sim(recorder->loop), recorder->run->boot_ns + t_ns);
+    fair->inputs[fair->input_count++] = (struct fair_input){
+        .cycle = (uint64_t)((__int128)grid_ns * recorder->board->clk_hz /
+                            (CLOCKS_PER_CYCLE * (__int128)1000000000)) +
+                 1,
+        .port = (uint8_t)((recorder->board->pins[pin] - 0x80) >> 4),
+        .bit = recorder->board->pins[pin] & 7,
+        .level = level};
+}
+
+/* --- the drive ---------------------------------------------------------------------------- */
+
+void fair_record(struct fair *fair, struct run *run, const struct run_setup *setup, long fault_at)
+{
+    struct recorder recorder = {.fair = fair, .run = run, .board = setup->board};
+    const struct run_observer observer = {.user = &recorder, .pin = note_input};
+    struct loop *loop = run_begin(run, setup, &observer, 1);
+
+    recorder.loop = loop;
+    while (loop != NULL && fair->row_count < FAIR_ROWS && run_next(loop)) {
+        int row = fair->row_count++;
+
+        fair->rows[row] =
+            fair_row_of(setup->scenario->world, run_world(loop), &fair->speeds_mps[row]);
+        fair->fault = fair->fault || fair_is_in_fault(loop, fault_at);
+        fair->chips[row] = mcs52_create(MCS52_INTEL, &(struct mcs52_outside){0});
+        mcs52_copy(fair->chips[row], fast_chip(run_sim(loop)));
+    }
+    fair->boot_ns = run->boot_ns;
+    if (loop != NULL) {
+        run_end(loop);
+        fair->impact = run->outcome.values[METRIC_IMPACT] > 0;
+        fair->min_gap_m = run->outcome.values[METRIC_MIN_GAP];
+        run_free(run);
+    }
+}
+
+/* --- the same? ---------------------------------------------------------------------------- */
+
+bool fair_is_same_world(const struct fair *fair, const struct judge_row *row, double speed_mps,
+                        int at)
+{
+    const double same = 1e-5;
+
+    return fabs(row->gap_m - fair->rows[at].gap_m) < same &&
+           fabs(row->demand_pct - fair->rows[at].demand_pct) < same &&
+           fabs(speed_mps - fair->speeds_mps[at]) < same;
+}
+
+bool fair_is_same_chip(struct mcs52 *chip, struct mcs52 *fair_chip, const long excused[2])
+{
+    uint8_t *ram = mcs52_ram(chip), *fair_ram = mcs52_ram(fair_chip), bytes[2] = {0};
+    bool same;
+
+    for (int i = 0; i < 2; i++) {
+        if (excused[i] >= 0) {
+            bytes[i] = ram[excused[i]];
+            ram[excused[i]] = fair_ram[excused[i]];
+        }
+    }
+    same = mcs52_equal(chip, fair_chip);
+    for (int i = 0; i < 2; i++) {
+        if (excused[i] >= 0) {
+            ram[excused[i]] = bytes[i];
+        }
+    }
+    return same;
+}
