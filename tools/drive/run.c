@@ -12,6 +12,7 @@
 #include <time.h>
 
 enum {
+    CLOCKS_PER_CYCLE = 12,
     INPUTS = BOARD_PINS - BOARD_OUTPUTS,
     PAST_NS = 2000 /* a mark is passed up to a cycle late */
 };
@@ -57,6 +58,54 @@ static double wall_s(void)
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
+/* --- flips --------------------------------------------------------------------------------- */
+
+static uint8_t pin_address(const struct board *board, int pin)
+{
+    enum { RXD = 0xB0, TXD = 0xB1 };
+
+    return pin == FLIP_RXD ? RXD : pin == FLIP_TXD ? TXD : board->pins[pin];
+}
+
+/* START_CYCLE: when the scenario began, for a flip that says at_s. */
+static struct sim_flip sim_flip_of(const struct flip *flip, const struct board *board,
+                                   uint64_t start_cycle)
+{
+    static const enum sim_flip_kind kinds[] = {[FLIP_ONCE] = SIM_FLIP,
+                                               [FLIP_STUCK_LOW] = SIM_STUCK_LOW,
+                                               [FLIP_STUCK_HIGH] = SIM_STUCK_HIGH,
+                                               [FLIP_PIN_LOW] = SIM_PIN_LOW,
+                                               [FLIP_PIN_HIGH] = SIM_PIN_HIGH,
+                                               [FLIP_PINS_TIED] = SIM_PINS_TIED,
+                                               [FLIP_POWER_DIP] = SIM_POWER_DIP,
+                                               [FLIP_CLOCK_STOP] = SIM_CLOCK_STOP,
+                                               [FLIP_INTERRUPTS] = SIM_INTERRUPTS};
+    static const enum sim_flip_place places[] = {[FLIP_RAM] = SIM_RAM,
+                                                 [FLIP_SFR] = SIM_SFR,
+                                                 [FLIP_REGISTER] = SIM_REGISTER,
+                                                 [FLIP_PC] = SIM_PC,
+                                                 [FLIP_XDATA] = SIM_XDATA};
+    double cycles_per_s = (double)board->clk_hz / CLOCKS_PER_CYCLE;
+    bool of_pin = flip->kind >= FLIP_PIN_LOW && flip->kind <= FLIP_PINS_TIED;
+
+    return (struct sim_flip){
+        .kind = kinds[flip->kind],
+        .place = places[flip->place],
+        .address = of_pin ? pin_address(board, flip->pin) : (uint16_t)fmax(flip->address, 0),
+        .other = flip->kind == FLIP_PINS_TIED ? pin_address(board, flip->to) : 0,
+        .bit = (int)flip->bit,
+        .counts_instructions = flip->at_instruction >= 0,
+        .when = flip->at_instruction >= 0 ? (uint64_t)flip->at_instruction
+                : flip->at_cycle >= 0     ? (uint64_t)flip->at_cycle
+                                          : start_cycle + (uint64_t)(flip->at_s * cycles_per_s),
+        .cycles = flip->for_s >= 0 ? (uint64_t)ceil(flip->for_s * cycles_per_s) : 0};
+}
+
+static bool has_flip(const struct flip *flip)
+{
+    return flip->at_s >= 0 || flip->at_cycle >= 0 || flip->at_instruction >= 0;
+}
+
 /* --- what the controller does -------------------------------------------------------------- */
 
 static void show_pin(const struct loop *loop, int64_t t_ns, enum board_pin pin, bool level)
@@ -94,10 +143,26 @@ static void show_row(const struct loop *loop, int64_t t_ns)
     }
 }
 
+/* The scenario begins: what happens to the chip at times of the scenario. */
+static void plan_flips(struct loop *loop)
+{
+    uint64_t start_cycle = sim_cycle(loop->sim, loop->start_ns);
+
+    for (int i = 0; i < SCENARIO_FLIPS; i++) {
+        const struct flip *flip = &loop->setup->scenario->flips[i];
+        struct sim_flip one = sim_flip_of(flip, loop->setup->board, start_cycle);
+
+        if (flip->at_s >= 0 && !sim_flip(loop->sim, &one)) {
+            abort(); /* the reader of the scenario has checked it */
+        }
+    }
+}
+
 static void start_world(struct loop *loop, int64_t start_ns)
 {
     loop->run->triggered = true;
     loop->run->boot_ns = loop->start_ns = start_ns;
+    plan_flips(loop);
     loop->class->start(loop->world, loop->levels);
     for (int pin = 0; pin < BOARD_OUTPUTS; pin++) {
         if (pin != PIN_TRIGGER) {
@@ -394,41 +459,40 @@ static enum sim_status watch_reset(struct loop *loop)
 
 /* --- outside ------------------------------------------------------------------------------ */
 
-/* The scenario's flips as the engine takes them. Returns their number. */
-static int list_flips(const struct scenario *scenario, struct sim_flip flips[SCENARIO_FLIPS])
+/* Those that count from power up. Returns their number. */
+static int list_flips(const struct loop *loop, struct sim_flip flips[SCENARIO_FLIPS])
 {
-    static const enum sim_flip_kind kinds[] = {[FLIP_ONCE] = SIM_FLIP,
-                                               [FLIP_STUCK_LOW] = SIM_STUCK_LOW,
-                                               [FLIP_STUCK_HIGH] = SIM_STUCK_HIGH};
-    static const enum sim_flip_place places[] = {[FLIP_RAM] = SIM_RAM,
-                                                 [FLIP_SFR] = SIM_SFR,
-                                                 [FLIP_REGISTER] = SIM_REGISTER,
-                                                 [FLIP_PC] = SIM_PC,
-                                                 [FLIP_XDATA] = SIM_XDATA};
     int count = 0;
 
     for (int i = 0; i < SCENARIO_FLIPS; i++) {
-        const struct flip *flip = &scenario->flips[i];
-        bool counts = flip->at_instruction >= 0;
+        const struct flip *flip = &loop->setup->scenario->flips[i];
 
-        if (counts || flip->at_cycle >= 0) {
-            flips[count++] = (struct sim_flip){
-                .kind = kinds[flip->kind],
-                .place = places[flip->place],
-                .address = (uint16_t)fmax(flip->address, 0),
-                .bit = (int)flip->bit,
-                .counts_instructions = counts,
-                .when = (uint64_t)(counts ? flip->at_instruction : flip->at_cycle)};
+        if (has_flip(flip) && flip->at_s < 0) {
+            flips[count++] = sim_flip_of(flip, loop->setup->board, 0);
         }
     }
     return count;
+}
+
+/* Returns EXIT_FINE, or EXIT_USAGE after a message: there are flips, and the engine has none. */
+static int check_flips(const struct loop *loop)
+{
+    for (int i = 0; i < SCENARIO_FLIPS; i++) {
+        if (has_flip(&loop->setup->scenario->flips[i]) && !loop->setup->engine->can_flip) {
+            diag_error(loop->setup->scenario->file, 0,
+                       "[flip] changes what is inside the chip, which %s cannot do; give "
+                       "--engine=fast",
+                       loop->setup->engine->name);
+            return EXIT_USAGE;
+        }
+    }
+    return EXIT_FINE;
 }
 
 static int start_simulator(struct loop *loop)
 {
     const struct board *board = loop->setup->board;
     struct sim_flip flips[SCENARIO_FLIPS];
-    int flip_count = list_flips(loop->setup->scenario, flips);
     const struct sim_setup setup = {
         .hex = loop->setup->hex,
         .s51_type = board->s51_type,
@@ -441,15 +505,9 @@ static int start_simulator(struct loop *loop)
         .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS), /* echo low, override not held */
         .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->has_bytes,
         .flips = flips,
-        .flip_count = flip_count,
+        .flip_count = list_flips(loop, flips),
     };
 
-    if (flip_count > 0 && !loop->setup->engine->can_flip) {
-        diag_error(loop->setup->scenario->file, 0,
-                   "[flip] changes bits inside the chip, which %s cannot do; give --engine=fast",
-                   loop->setup->engine->name);
-        return EXIT_USAGE;
-    }
     return sim_start(loop->setup->engine, &loop->sim, &setup);
 }
 
@@ -466,7 +524,7 @@ static int power_up(struct loop *loop)
     loop->has_bytes =
         loop->class->take_bytes != NULL && (loop->class->is_unasked == NULL || loop->is_unasked);
     run->outcome.uart = run->telemetry.log;
-    if (start_simulator(loop) != EXIT_FINE) {
+    if (check_flips(loop) != EXIT_FINE || start_simulator(loop) != EXIT_FINE) {
         return EXIT_USAGE;
     }
     loop->world = loop->class->create(setup->scenario, setup->seed, (int64_t)setup->step_us * 1000);

@@ -8,8 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CLOCKS_PER_CYCLE = 12 };
-
 struct judge_row fair_row_of(const struct world_class *class, const struct world *world,
                              double *speed_mps)
 {
@@ -40,22 +38,22 @@ static void note_input(void *user, int64_t t_ns, enum board_pin pin, bool level)
 {
     struct recorder *recorder = user;
     struct fair *fair = recorder->fair;
+    const struct sim *sim;
     int64_t grid_ns;
 
     if (pin < BOARD_OUTPUTS || recorder->loop == NULL) {
         return;
     }
+    sim = run_sim(recorder->loop);
     if (fair->input_count == FAIR_INPUTS) {
         abort();
     }
-    grid_ns = sim_grid_ns(run_sim(recorder->loop), recorder->run->boot_ns + t_ns);
-    fair->inputs[fair->input_count++] = (struct fair_input){
-        .cycle = (uint64_t)((__int128)grid_ns * recorder->board->clk_hz /
-                            (CLOCKS_PER_CYCLE * (__int128)1000000000)) +
-                 1,
-        .port = (uint8_t)((recorder->board->pins[pin] - 0x80) >> 4),
-        .bit = recorder->board->pins[pin] & 7,
-        .level = level};
+    grid_ns = sim_grid_ns(sim, recorder->run->boot_ns + t_ns);
+    fair->inputs[fair->input_count++] =
+        (struct fair_input){.cycle = sim_cycle(sim, grid_ns) + 1,
+                            .port = (uint8_t)((recorder->board->pins[pin] - 0x80) >> 4),
+                            .bit = recorder->board->pins[pin] & 7,
+                            .level = level};
 }
 
 /* --- the drive ---------------------------------------------------------------------------- */

@@ -65,11 +65,11 @@ static void add_bits(const struct planner *planner, double t_s)
         uint16_t address = (uint16_t)(k / 8 % 256);
 
         if (where == IN_RAM ? arguments->rams[address] : arguments->sfrs[address]) {
-            plan_add(planner->plan, &(struct fault_case){
-                                        .where = where,
-                                        .address = address,
-                                        .bit = (uint8_t)(k % 8),
-                                        .cycle = spread(planner, cycle_at(planner, t_s), n++)});
+            plan_add(planner->plan,
+                     &(struct fault_case){.where = where,
+                                          .address = address,
+                                          .bit = (uint8_t)(k % 8),
+                                          .cycle = spread(planner, cycle_at(planner, t_s), n++)});
         }
     }
 }
@@ -78,12 +78,12 @@ static void add_stuck(const struct planner *planner, double t_s)
 {
     for (unsigned n = 0; n < MCS52_RAM_BYTES * 16; n++) {
         if (planner->arguments->rams[n >> 4]) {
-            plan_add(planner->plan, &(struct fault_case){
-                                        .where = IN_RAM,
-                                        .kind = n & 1 ? MCS52_STUCK_HIGH : MCS52_STUCK_LOW,
-                                        .address = (uint16_t)(n >> 4),
-                                        .bit = (uint8_t)(n >> 1 & 7),
-                                        .cycle = spread(planner, cycle_at(planner, t_s), n)});
+            plan_add(planner->plan,
+                     &(struct fault_case){.where = IN_RAM,
+                                          .kind = n & 1 ? MCS52_STUCK_HIGH : MCS52_STUCK_LOW,
+                                          .address = (uint16_t)(n >> 4),
+                                          .bit = (uint8_t)(n >> 1 & 7),
+                                          .cycle = spread(planner, cycle_at(planner, t_s), n)});
         }
     }
 }

@@ -56,17 +56,35 @@ struct uart {
     char send[SCENARIO_TEXT];
 };
 
-/* Section [flip]: one bit of the chip that changes once, or sticks. */
+/* Section [flip]: one bit of the chip that changes once, or sticks; a pin that is shorted; or what
+ * befalls the whole chip. */
 struct flip {
-    int kind;                        /* enum flip_kind */
-    int place;                       /* enum flip_place */
-    double address;                  /* unset: a PC has none */
-    double bit;                      /* 0: the lowest */
-    double at_cycle, at_instruction; /* since power came up; one is unset, or both: no flip */
+    int kind;              /* enum flip_kind */
+    int place;             /* enum flip_place, of a bit */
+    double address;        /* unset: a PC has none */
+    double bit;            /* 0: the lowest */
+    int pin, to;           /* enum flip_pin */
+    double at_s;           /* since the first trigger; this or one of the next two is set, or no flip */
+    double at_cycle;       /* since power came up */
+    double at_instruction; /* likewise */
+    double for_s;          /* of pins and the whole chip; unset: for good */
 };
 
-enum flip_kind { FLIP_ONCE, FLIP_STUCK_LOW, FLIP_STUCK_HIGH };
+enum flip_kind {
+    FLIP_ONCE,
+    FLIP_STUCK_LOW,
+    FLIP_STUCK_HIGH,
+    FLIP_PIN_LOW,
+    FLIP_PIN_HIGH,
+    FLIP_PINS_TIED,
+    FLIP_POWER_DIP,
+    FLIP_CLOCK_STOP,
+    FLIP_INTERRUPTS
+};
 enum flip_place { FLIP_RAM, FLIP_SFR, FLIP_REGISTER, FLIP_PC, FLIP_XDATA };
+
+/* The pins of the board in the order of enum board_pin, then those of the serial line. */
+enum flip_pin { FLIP_RXD = 10, FLIP_TXD };
 
 struct scenario {
     char file[256];

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "board.h"
 #include "scenario.h"
 
 /* --- [scenario] --------------------------------------------------------------------------- */
@@ -229,19 +230,26 @@ const struct section uart_section = {.name = "uart",
 
 /* --- [flip] ------------------------------------------------------------------------------- */
 
+#define OF_A_BIT   "flip low high"
+#define OF_PINS    "pin_low pin_high pins_tied"
+#define PIN_WORDS  "pwm stop trigger lamp buzzer servo cut lane echo override rxd txd"
 #define AT(member) offsetof(struct flip, member)
 static const struct key flip_keys[] = {
     {.name = "kind",
-     .meaning = "flip: the bit changes once; low, high: it is stuck there",
+     .meaning = "flip: a bit changes once; low, high: it is stuck there; pin_low, pin_high: a pin "
+                "is shorted to ground or supply; pins_tied: to the pin `to`; power_dip: the supply "
+                "fails, and RAM and registers are lost; clock_stop: the oscillator stands; "
+                "interrupts: every 100 machine cycles, all interrupts are requested",
      .kind = VALUE_CHOICE,
      .at = AT(kind),
-     .choices = "flip low high"},
+     .choices = OF_A_BIT " " OF_PINS " power_dip clock_stop interrupts"},
     {.name = "place",
      .meaning = "internal RAM; special function registers; R0 to R7 of the bank in use; the "
                 "program counter; external RAM",
      .kind = VALUE_CHOICE,
      .at = AT(place),
      .choices = "ram sfr register pc xdata",
+     .kinds = OF_A_BIT,
      .required = true},
     {.name = "address",
      .meaning = "where in that place, as in 0x50: ram 0 to 255, sfr 128 to 255, register 0 to 7, "
@@ -250,15 +258,39 @@ static const struct key flip_keys[] = {
      .at = AT(address),
      .high = 65535,
      .initial = SCENARIO_UNSET,
-     .unset = "none, for pc"},
+     .unset = "none, for pc",
+     .kinds = OF_A_BIT},
     {.name = "bit",
      .meaning = "0 is the lowest; up to 7, of the program counter up to 15",
      .kind = VALUE_COUNT,
      .at = AT(bit),
      .high = 15,
+     .kinds = OF_A_BIT,
      .required = true},
+    {.name = "pin",
+     .meaning = "the pin",
+     .kind = VALUE_CHOICE,
+     .at = AT(pin),
+     .choices = PIN_WORDS,
+     .kinds = OF_PINS,
+     .required = true},
+    {.name = "to",
+     .meaning = "the pin that it is tied to, of the same port",
+     .kind = VALUE_CHOICE,
+     .at = AT(to),
+     .choices = PIN_WORDS,
+     .kinds = "pins_tied",
+     .required = true},
+    {.name = "at_s",
+     .meaning = "when, after the first trigger",
+     .at = AT(at_s),
+     .low = 0.001,
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .unset = "by at_cycle"},
     {.name = "at_cycle",
-     .meaning = "before the first instruction at or after this machine cycle since power came up",
+     .meaning = "or: before the first instruction at or after this machine cycle since power came "
+                "up",
      .kind = VALUE_COUNT,
      .at = AT(at_cycle),
      .high = 1e12,
@@ -270,11 +302,20 @@ static const struct key flip_keys[] = {
      .at = AT(at_instruction),
      .high = 1e12,
      .initial = SCENARIO_UNSET,
-     .unset = "by at_cycle"},
+     .unset = "by at_s",
+     .kinds = OF_A_BIT},
+    {.name = "for_s",
+     .meaning = "how long it lasts",
+     .at = AT(for_s),
+     .low = 0.0001,
+     .high = 3600,
+     .initial = SCENARIO_UNSET,
+     .unset = "pins: to the end",
+     .kinds = OF_PINS " power_dip clock_stop interrupts"},
 };
 #undef AT
 
-static void check_flip(struct section_check *check, const void *values)
+static void check_bit(struct section_check *check, const struct flip *flip)
 {
     static const struct {
         double first, last, top_bit;
@@ -284,7 +325,6 @@ static void check_flip(struct section_check *check, const void *values)
                   [FLIP_REGISTER] = {0, 7, 7, "register"},
                   [FLIP_PC] = {SCENARIO_UNSET, SCENARIO_UNSET, 15, "pc"},
                   [FLIP_XDATA] = {0, 65535, 7, "xdata"}};
-    const struct flip *flip = values;
 
     if (flip->address < places[flip->place].first || flip->address > places[flip->place].last) {
         if (flip->place == FLIP_PC) {
@@ -299,13 +339,38 @@ static void check_flip(struct section_check *check, const void *values)
         section_complain(check, "bit", "%s has the bits 0 to %g; give one of them",
                          places[flip->place].name, places[flip->place].top_bit);
     }
-    if ((flip->at_cycle >= 0) == (flip->at_instruction >= 0)) {
-        section_complain(check, NULL, "give at_cycle or at_instruction, one of them");
+}
+
+/* The pins of the serial line, of the echo and of the override belong to port 3, all others to port
+ * 1. */
+static bool is_of_port_3(int pin)
+{
+    return pin >= BOARD_OUTPUTS;
+}
+
+static void check_flip(struct section_check *check, const void *values)
+{
+    const struct flip *flip = values;
+
+    if (flip->kind <= FLIP_STUCK_HIGH) {
+        check_bit(check, flip);
+    }
+    if (flip->kind == FLIP_PINS_TIED &&
+        (flip->pin == flip->to || is_of_port_3(flip->pin) != is_of_port_3(flip->to))) {
+        section_complain(check, "to", "the pins are not two of one port; give others");
+    }
+    if (flip->kind >= FLIP_POWER_DIP && flip->for_s < 0) {
+        section_complain(check, NULL, "lacks for_s; add it");
+    }
+    if ((flip->at_s >= 0) + (flip->at_cycle >= 0) + (flip->at_instruction >= 0) != 1) {
+        section_complain(check, NULL, "give at_s, at_cycle or at_instruction, one of them");
     }
 }
 
 const struct section flip_section = {.name = "flip",
-                                     .meaning = "a bit of the chip that flips or sticks",
+                                     .meaning =
+                                         "a bit of the chip that flips or sticks, a pin "
+                                         "that is shorted, or a chip without supply or clock",
                                      SECTION_KEYS(flip_keys),
                                      .size = sizeof(struct flip),
                                      .check = check_flip};

@@ -44,12 +44,9 @@ static int64_t ns_of_cycle(const struct fast *fast, uint64_t cycle)
     return (int64_t)(((__int128)cycle * cycle_ns + fast->base.clk_hz / 2) / fast->base.clk_hz);
 }
 
-/* The cycle in which TIME_NS, a grid point, is the middle. */
 static uint64_t cycle_of_ns(const struct fast *fast, int64_t time_ns)
 {
-    const __int128 cycle_ns = CLOCKS_PER_CYCLE * (__int128)1000000000;
-
-    return (uint64_t)((__int128)time_ns * fast->base.clk_hz / cycle_ns);
+    return sim_cycle(&fast->base, time_ns);
 }
 
 /* --- what the chip does ------------------------------------------------------------------- */
@@ -120,8 +117,7 @@ static enum mcs52_part part_of(const char *watchdog)
                                             : MCS52_INTEL;
 }
 
-/* Returns EXIT_FINE, or EXIT_USAGE after a message. */
-static int inject(struct fast *fast, const struct sim_setup *setup)
+static bool flip(struct sim *sim, const struct sim_flip *flip)
 {
     static const enum mcs52_place places[] = {[SIM_RAM] = MCS52_IN_RAM,
                                               [SIM_SFR] = MCS52_IN_SFR,
@@ -130,18 +126,30 @@ static int inject(struct fast *fast, const struct sim_setup *setup)
                                               [SIM_XDATA] = MCS52_IN_XDATA};
     static const enum mcs52_fault_kind kinds[] = {[SIM_FLIP] = MCS52_FLIP,
                                                   [SIM_STUCK_LOW] = MCS52_STUCK_LOW,
-                                                  [SIM_STUCK_HIGH] = MCS52_STUCK_HIGH};
+                                                  [SIM_STUCK_HIGH] = MCS52_STUCK_HIGH,
+                                                  [SIM_PIN_LOW] = MCS52_PIN_LOW,
+                                                  [SIM_PIN_HIGH] = MCS52_PIN_HIGH,
+                                                  [SIM_PINS_TIED] = MCS52_PINS_TIED,
+                                                  [SIM_POWER_DIP] = MCS52_POWER_DIP,
+                                                  [SIM_CLOCK_STOP] = MCS52_CLOCK_STOP,
+                                                  [SIM_INTERRUPTS] = MCS52_INTERRUPTS};
+    const struct mcs52_fault fault = {.kind = kinds[flip->kind],
+                                      .place = places[flip->place],
+                                      .address = flip->address,
+                                      .other = flip->other,
+                                      .bit = flip->bit,
+                                      .counts_instructions = flip->counts_instructions,
+                                      .when = flip->when,
+                                      .cycles = flip->cycles};
 
+    return mcs52_inject(fast_of(sim)->chip, &fault);
+}
+
+/* Returns EXIT_FINE, or EXIT_USAGE after a message. */
+static int inject(struct fast *fast, const struct sim_setup *setup)
+{
     for (int i = 0; i < setup->flip_count; i++) {
-        const struct sim_flip *flip = &setup->flips[i];
-        const struct mcs52_fault fault = {.kind = kinds[flip->kind],
-                                          .place = places[flip->place],
-                                          .address = flip->address,
-                                          .bit = flip->bit,
-                                          .counts_instructions = flip->counts_instructions,
-                                          .when = flip->when};
-
-        if (!mcs52_inject(fast->chip, &fault)) {
+        if (!flip(&fast->base, &setup->flips[i])) {
             diag_error(NULL, 0, "fast: flip %d names a bit that the chip does not have", i + 1);
             return EXIT_USAGE;
         }
@@ -267,4 +275,5 @@ const struct sim_engine fast_engine = {.name = "fast",
                                        .run_after_reset = run_after_reset,
                                        .receive = receive,
                                        .send = send,
-                                       .stop = stop};
+                                       .stop = stop,
+                                       .flip = flip};

@@ -126,15 +126,28 @@ void mcs52_cover(struct mcs52 *chip, uint8_t *map);
 /* --- faults ------------------------------------------------------------------------------- */
 
 enum mcs52_place { MCS52_IN_RAM, MCS52_IN_SFR, MCS52_IN_REGISTER, MCS52_IN_PC, MCS52_IN_XDATA };
-enum mcs52_fault_kind { MCS52_FLIP, MCS52_STUCK_LOW, MCS52_STUCK_HIGH };
+enum mcs52_fault_kind {
+    MCS52_FLIP, /* of a bit; so are the next two */
+    MCS52_STUCK_LOW,
+    MCS52_STUCK_HIGH,
+    MCS52_PIN_LOW,    /* the pin at bit address ADDRESS is shorted to ground */
+    MCS52_PIN_HIGH,   /* to the supply */
+    MCS52_PINS_TIED,  /* to the pin OTHER of the same port: each can pull both low */
+    MCS52_POWER_DIP,  /* no supply: pins are high; then RAM is anything, and power comes up */
+    MCS52_CLOCK_STOP, /* the oscillator stands, and all of the chip with it */
+    MCS52_INTERRUPTS  /* all interrupts are requested, every MCS52_BURST_MC */
+};
+enum { MCS52_BURST_MC = 100 };
 
 struct mcs52_fault {
     enum mcs52_fault_kind kind;
-    enum mcs52_place place;
-    uint16_t address; /* in RAM, XDATA or the SFRs; 0..7 for R0..R7 of the bank in use */
-    int bit;          /* 0..7, of the PC 0..15 */
-    bool counts_instructions;
-    uint64_t when; /* before the first instruction at or after this cycle or instruction count */
+    enum mcs52_place place;   /* of a bit */
+    uint16_t address;         /* in RAM, XDATA or the SFRs; 0..7 for R0..R7 of the bank in use */
+    uint8_t other;            /* of pins that are tied */
+    int bit;                  /* 0..7, of the PC 0..15 */
+    bool counts_instructions; /* only a bit's fault may */
+    uint64_t when;   /* before the first instruction at or after this cycle or instruction count */
+    uint64_t cycles; /* how long, for all but a bit; 0: for good, which only pins may */
 };
 
 /* A stuck bit stays so until mcs52_heal; it is forced after each instruction, which costs some

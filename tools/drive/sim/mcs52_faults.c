@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Faults put into the chip: bits that flip once or stick. */
+/* Faults put into the chip: bits that flip once or stick; when the others of mcs52_electric.c act.
+ */
 #include "mcs52_inside.h"
+
+#include <string.h>
 
 static unsigned bits_at(const struct mcs52_fault *fault)
 {
@@ -56,6 +59,11 @@ static void force(struct mcs52 *chip, const struct mcs52_fault *fault)
     }
 }
 
+static bool is_of_bit(const struct mcs52_fault *fault)
+{
+    return fault->kind <= MCS52_STUCK_HIGH;
+}
+
 static void plan(struct mcs52 *chip)
 {
     uint64_t first = NEVER;
@@ -64,6 +72,10 @@ static void plan(struct mcs52 *chip)
     for (int i = 0; i < chip->fault_count; i++) {
         const struct mcs52_fault *fault = &chip->faults[i];
 
+        if (!is_of_bit(fault)) {
+            first = chip->fault_next[i] < first ? chip->fault_next[i] : first;
+            continue;
+        }
         chip->stuck = chip->stuck || fault->kind != MCS52_FLIP;
         if (chip->fault_done[i]) {
             continue;
@@ -82,7 +94,15 @@ void mcs52_faults_strike(struct mcs52 *chip)
 {
     for (int i = 0; i < chip->fault_count; i++) {
         const struct mcs52_fault *fault = &chip->faults[i];
-        bool is_due = (fault->counts_instructions ? chip->instructions : chip->now) >= fault->when;
+        bool is_due;
+
+        if (!is_of_bit(fault)) {
+            if (chip->fault_next[i] <= chip->now) {
+                chip->fault_next[i] = mcs52_upset(chip, fault);
+            }
+            continue;
+        }
+        is_due = (fault->counts_instructions ? chip->instructions : chip->now) >= fault->when;
 
         if (is_due && (fault->kind != MCS52_FLIP || !chip->fault_done[i])) {
             chip->fault_done[i] = true;
@@ -90,6 +110,26 @@ void mcs52_faults_strike(struct mcs52 *chip)
         }
     }
     plan(chip);
+}
+
+static bool is_pin(unsigned address)
+{
+    return address >= P0 && address <= P3 + 7 && (address & 8) == 0;
+}
+
+/* A fault that is not of a bit makes sense. */
+static bool is_possible(const struct mcs52_fault *fault)
+{
+    switch (fault->kind) {
+    case MCS52_PIN_LOW:
+    case MCS52_PIN_HIGH:
+        return is_pin(fault->address);
+    case MCS52_PINS_TIED:
+        return is_pin(fault->address) && is_pin(fault->other) &&
+               ((fault->address ^ fault->other) & 0xF8) == 0;
+    default:
+        return fault->cycles > 0;
+    }
 }
 
 static bool exists(const struct mcs52_fault *fault)
@@ -109,10 +149,12 @@ static bool exists(const struct mcs52_fault *fault)
 
 bool mcs52_inject(struct mcs52 *chip, const struct mcs52_fault *fault)
 {
-    if (chip->fault_count == MCS52_FAULTS || !exists(fault)) {
+    if (chip->fault_count == MCS52_FAULTS ||
+        !(is_of_bit(fault) ? exists(fault) : is_possible(fault))) {
         return false;
     }
     chip->fault_done[chip->fault_count] = false;
+    chip->fault_next[chip->fault_count] = fault->when;
     chip->faults[chip->fault_count++] = *fault;
     plan(chip);
     return true;
@@ -121,5 +163,11 @@ bool mcs52_inject(struct mcs52 *chip, const struct mcs52_fault *fault)
 void mcs52_heal(struct mcs52 *chip)
 {
     chip->fault_count = 0;
+    memset(chip->shorted_low, 0, sizeof chip->shorted_low);
+    memset(chip->shorted_high, 0, sizeof chip->shorted_high);
+    memset(chip->tied, 0, sizeof chip->tied);
+    for (int port = 0; port < 4; port++) {
+        mcs52_pins_update(chip, port, chip->now);
+    }
     plan(chip);
 }

@@ -180,15 +180,18 @@ struct mcs52 {
     bool bitten;            /* it resets the chip at the end of this instruction */
     /* pins */
     uint8_t outside_pins[4], alternate[4], pins[4], watched[4];
+    uint8_t shorted_low[4], shorted_high[4], tied[4]; /* one group of tied pins a port */
     struct pin_change queue[MCS52_PIN_QUEUE];
     unsigned queue_first, queue_count;
     /* running */
     uint64_t due[EVENTS];
     uint64_t until;
     uint64_t slept_from; /* power-down began */
+    bool clock_stands;   /* and it is no program's power-down */
     bool stop;
     struct mcs52_fault faults[MCS52_FAULTS];
     bool fault_done[MCS52_FAULTS];
+    uint64_t fault_next[MCS52_FAULTS]; /* of one that is not of a bit: what it does next */
     int fault_count;
     bool stuck;           /* a stuck bit is in place */
     bool by_count;        /* a fault waits for an instruction count */
@@ -269,6 +272,10 @@ void mcs52_watchdog_write(struct mcs52 *chip, uint8_t address, uint8_t value, ui
 void mcs52_watchdog_stand(struct mcs52 *chip, uint64_t end);
 void mcs52_watchdog_go_on(struct mcs52 *chip, uint64_t end);
 void mcs52_watchdog_bite(struct mcs52 *chip);
+
+/* mcs52_electric.c: a fault that is not of a bit begins, goes on or ends now. Returns when it wants
+ * to be called again; NEVER: it is over. */
+uint64_t mcs52_upset(struct mcs52 *chip, const struct mcs52_fault *fault);
 
 /* mcs52_faults.c */
 void mcs52_faults_strike(struct mcs52 *chip);

@@ -8,7 +8,11 @@
 
 static uint8_t level_of(const struct mcs52 *chip, int port)
 {
-    return chip->sfr[P0 + 16 * port] & chip->outside_pins[port] & chip->alternate[port];
+    uint8_t own = chip->sfr[P0 + 16 * port] & chip->outside_pins[port] & chip->alternate[port];
+    uint8_t level = (own | chip->shorted_high[port]) & (uint8_t)~chip->shorted_low[port];
+    uint8_t tied = chip->tied[port];
+
+    return (level & tied) == tied ? level : level & (uint8_t)~tied;
 }
 
 static void report(struct mcs52 *chip, int port, uint8_t changed, uint64_t cycle)
@@ -84,8 +88,8 @@ bool mcs52_pins_wake(const struct mcs52 *chip)
     uint8_t enabled =
         (uint8_t)((chip->sfr[IE] & 1 ? P3_INT0 : 0) | (chip->sfr[IE] & 4 ? P3_INT1 : 0));
 
-    return chip->power_down && chip->part != MCS52_INTEL && (chip->sfr[IE] & IE_EA) &&
-           (enabled & ~level_of(chip, 3)) != 0;
+    return chip->power_down && !chip->clock_stands && chip->part != MCS52_INTEL &&
+           (chip->sfr[IE] & IE_EA) && (enabled & ~level_of(chip, 3)) != 0;
 }
 
 /* Takes over what the latch, the outside and the alternate function make of the pins from CYCLE on.

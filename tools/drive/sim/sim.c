@@ -115,6 +115,16 @@ enum sim_status sim_run_after_reset(struct sim *sim, int64_t window_ns)
     return sim->engine->run_after_reset(sim, window_ns);
 }
 
+bool sim_flip(struct sim *sim, const struct sim_flip *flip)
+{
+    return sim->engine->flip(sim, flip);
+}
+
+uint64_t sim_cycle(const struct sim *sim, int64_t time_ns)
+{
+    return (uint64_t)((__int128)time_ns * sim->clk_hz / (CLOCKS_PER_CYCLE * (__int128)1000000000));
+}
+
 size_t sim_receive(struct sim *sim, char *bytes, size_t size)
 {
     return sim->engine->receive(sim, bytes, size);

@@ -30,17 +30,30 @@ struct sim_setup {
 };
 
 enum sim_flip_place { SIM_RAM, SIM_SFR, SIM_REGISTER, SIM_PC, SIM_XDATA };
-enum sim_flip_kind { SIM_FLIP, SIM_STUCK_LOW, SIM_STUCK_HIGH };
+enum sim_flip_kind {
+    SIM_FLIP,
+    SIM_STUCK_LOW,
+    SIM_STUCK_HIGH,
+    SIM_PIN_LOW,
+    SIM_PIN_HIGH,
+    SIM_PINS_TIED,
+    SIM_POWER_DIP,
+    SIM_CLOCK_STOP,
+    SIM_INTERRUPTS
+};
 
-/* A bit of the chip that changes once, or sticks. */
+/* A bit of the chip that changes once, or sticks; a pin that is shorted; or the whole chip: as
+ * mcs52.h says. */
 struct sim_flip {
     enum sim_flip_kind kind;
-    enum sim_flip_place place;
-    uint16_t address; /* 0..7 for R0..R7 of the bank in use */
+    enum sim_flip_place place; /* of a bit */
+    uint16_t address;          /* 0..7 for R0..R7 of the bank in use; of a pin, its bit address */
+    uint8_t other;             /* the pin that this one is tied to */
     int bit;
     bool counts_instructions;
-    uint64_t when; /* before the first instruction at or after this machine cycle since power came
+    uint64_t when;   /* before the first instruction at or after this machine cycle since power came
                     * up, or before the instruction of this number */
+    uint64_t cycles; /* how long, of pins and the whole chip; 0: for good */
 };
 
 struct sim_edge {
@@ -77,6 +90,7 @@ struct sim_engine {
     size_t (*receive)(struct sim *sim, char *bytes, size_t size);
     void (*send)(struct sim *sim, const char *bytes, size_t size);
     void (*stop)(struct sim *sim);
+    bool (*flip)(struct sim *sim, const struct sim_flip *flip); /* if it can_flip */
 };
 
 /* The engine of that name, or NULL; the known names, separated by blanks, in a static buffer. */
@@ -108,6 +122,13 @@ enum sim_status sim_run_to(struct sim *sim, int64_t time_ns);
 /* After SIM_RESET: collects edges until WINDOW_NS after the reset, or as far as the engine can.
  * Input is not possible any more. */
 enum sim_status sim_run_after_reset(struct sim *sim, int64_t window_ns);
+
+/* Of an engine that can flip: FLIP, while the chip runs. Returns false when the chip has no such bit
+ * or pin, or too many flips. */
+bool sim_flip(struct sim *sim, const struct sim_flip *flip);
+
+/* The machine cycle in which TIME_NS lies, since power came up. */
+uint64_t sim_cycle(const struct sim *sim, int64_t time_ns);
 
 /* Reads serial bytes that came out since the last call. Returns their number. */
 size_t sim_receive(struct sim *sim, char *bytes, size_t size);
