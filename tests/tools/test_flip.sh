@@ -46,9 +46,9 @@ check "the same flip gives the same bytes" cmp "$out/lost.csv" "$out/lost_again.
 run xdata flip.place=xdata flip.address=65535 flip.bit=0 flip.at_cycle=1000000
 check "external RAM that nobody uses changes nothing" cmp "$out/plain.csv" "$out/xdata.csv"
 
-refuses "s51 refuses flips" 2 "[flip] changes bits inside the chip, which s51 cannot do; give --engine=fast" \
+refuses "s51 refuses flips" 2 "[flip] changes what is inside the chip, which s51 cannot do; give --engine=fast" \
     build/drive run --engine=s51 --board $board --scenario tests/loop/warning_gentle.scn --set flip.place=pc \
     --set flip.bit=3 --set flip.at_cycle=5
-refuses "a flip needs its time" 1 "[flip] give at_cycle or at_instruction, one of them" \
+refuses "a flip needs its time" 1 "[flip] give at_s, at_cycle or at_instruction, one of them" \
     build/drive run --engine=fast --board $board --scenario tests/loop/warning_gentle.scn --set flip.place=pc --set flip.bit=3
 finish

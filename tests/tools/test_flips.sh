@@ -63,7 +63,7 @@ refuses "an unknown board" 2 "no board 'none'" build/flip --board=none --scenari
 refuses "a bad instant" 2 "--at=soon: give a number" build/flip "${good[@]}" --at=soon
 refuses "a bad address" 2 "--ram=100: give a hexadecimal number" build/flip "${good[@]}" --ram=100
 refuses "a register below 80" 2 "--sfr=7F: give a hexadecimal number" build/flip "${good[@]}" --sfr=7F
-refuses "an unknown kind" 2 "--what=all: give bits, stuck, code or pc" build/flip "${good[@]}" --what=all
+refuses "an unknown kind" 2 "--what=all: give bits, stuck, code, pc or space" build/flip "${good[@]}" --what=all
 refuses "no scenario file" 1 "none.scn" build/flip --board="$board" --scenario=none.scn --at=0
 refuses "an image that never measures" 2 "does not begin" build/flip "${good[@]}" --hex="build/$board/bringup.ihx"
 finish

@@ -37,7 +37,7 @@ static void short_pins(struct mcs52 *chip, const struct mcs52_fault *fault, bool
 
 /* Without a supply the chip drives nothing, and the pull-ups outside make its pins high. When it is
  * back, RAM holds anything: here the bytes of a linear congruence (Knuth's MMIX constants). */
-static void lose_power(struct mcs52 *chip, uint64_t end)
+static void lose_power(struct mcs52 *chip, uint64_t cycles)
 {
     uint64_t noise = chip->now;
 
@@ -49,7 +49,7 @@ static void lose_power(struct mcs52 *chip, uint64_t end)
         noise = noise * 6364136223846793005u + 1442695040888963407u;
         chip->ram[i] = (uint8_t)(noise >> 56);
     }
-    chip->now = end;
+    chip->now += cycles;
     mcs52_restart(chip, MCS52_POWER);
 }
 
@@ -91,9 +91,7 @@ uint64_t mcs52_upset(struct mcs52 *chip, const struct mcs52_fault *fault)
 
     switch (fault->kind) {
     case MCS52_POWER_DIP:
-        if (!over) {
-            lose_power(chip, end);
-        }
+        lose_power(chip, fault->cycles);
         return NEVER;
     case MCS52_CLOCK_STOP:
         if (over) {
