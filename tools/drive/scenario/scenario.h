@@ -59,13 +59,13 @@ struct uart {
 /* Section [flip]: one bit of the chip that changes once, or sticks; a pin that is shorted; or what
  * befalls the whole chip. */
 struct flip {
-    int kind;              /* enum flip_kind */
-    int place;             /* enum flip_place, of a bit */
-    double address;        /* unset: a PC has none */
-    double bit;            /* 0: the lowest */
-    int pin, to;           /* enum flip_pin */
-    double at_s;           /* since the first trigger; this or one of the next two is set, or no flip */
-    double at_cycle;       /* since power came up */
+    int kind;        /* enum flip_kind */
+    int place;       /* enum flip_place, of a bit */
+    double address;  /* unset: a PC has none */
+    double bit;      /* 0: the lowest */
+    int pin, to;     /* enum flip_pin */
+    double at_s;     /* since the first trigger; this or one of the next two is set, or no flip */
+    double at_cycle; /* since power came up */
     double at_instruction; /* likewise */
     double for_s;          /* of pins and the whole chip; unset: for good */
 };
