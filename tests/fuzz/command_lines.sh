@@ -42,7 +42,7 @@ make_line() {
             --monotone=-1,+2 --monotone=9 --coverage --rules 3 10 -1 nan --help --version '' -- folder in.scn "$output")") ;;
         bound) words+=("$(pick in.ihx in.ihx in.fis --cycles=main --round=main --loop=main:3 --loop=x --iram=128 --iram=0 nosuch folder '' --help)") ;;
         drive) words+=("$(pick --hex=in.ihx --hex=in.fis --board=stc89c516rd --board=x --scenario=in.scn --scenario=in.ihx "--csv=$output" "--json=$output" "--vcd=$output" \
-            "--uart=$csv" --engine=fast --engine=x --set=ego.speed_mps=3 --set=x folder '' --help)") ;;
+            "--uart=$csv" "--coverage=$csv" --engine=fast --engine=x --set=ego.speed_mps=3 --set=x folder '' --help)") ;;
         esac
     done
 }

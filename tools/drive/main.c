@@ -37,6 +37,7 @@ enum option_key {
     OPT_JSON,
     OPT_LIVE,
     OPT_UART,
+    OPT_COVERAGE,
     OPT_QUANTUM,
     OPT_STEP,
     OPT_SEED,
@@ -60,6 +61,8 @@ static const struct argp_option options[] = {
     {"vcd", OPT_VCD, "FILE", 0, "writes pins and quantities for GTKWave", 2},
     {"json", OPT_JSON, "FILE", 0, "writes the outcome and all columns of CSV", 2},
     {"uart", OPT_UART, "FILE", 0, "writes what the controller sent on its serial line", 2},
+    {"coverage", OPT_COVERAGE, "FILE", 0,
+     "writes the address of each instruction that was run, one a line; --engine=fast only", 2},
     {"live", OPT_LIVE, NULL, 0, "shows a picture while it runs", 2},
     {"brief", OPT_BRIEF, NULL, 0, "prints test lines only: PLACE:LINE:NAME:PASS or FAIL", 2},
     {"stats", OPT_STATS, NULL, 0, "prints how long the run took", 2},
@@ -113,6 +116,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         break;
     case OPT_UART:
         arguments->paths.uart = text;
+        break;
+    case OPT_COVERAGE:
+        arguments->paths.coverage = text;
         break;
     case OPT_LIVE:
         arguments->live = true;
@@ -296,7 +302,7 @@ static int report(const struct run *run, const struct scenario *scenario,
 
 /* --- commands ------------------------------------------------------------------------------ */
 
-static int run_and_report(const struct run_setup *setup, struct scenario *scenario,
+static int run_and_report(struct run_setup *setup, struct scenario *scenario,
                           const struct arguments *arguments)
 {
     const struct world_class *class = scenario->world;
@@ -311,6 +317,9 @@ static int run_and_report(const struct run_setup *setup, struct scenario *scenar
 
     if (trace_open(&trace, &arguments->paths, class) != EXIT_FINE) {
         return EXIT_INPUT;
+    }
+    if (arguments->paths.coverage != NULL) {
+        setup->cover = trace.covered;
     }
     if (arguments->live) {
         live_begin(&live, scenario, stdout);
@@ -434,6 +443,13 @@ static int command_run(struct arguments *arguments)
     setup.seed = arguments->has_seed ? arguments->seed : (uint64_t)scenario.seed;
     setup.engine = find_engine(arguments->engine);
     if (setup.engine == NULL || sim_check(setup.engine) != EXIT_FINE) {
+        return EXIT_USAGE;
+    }
+    if (arguments->paths.coverage != NULL && !setup.engine->can_cover) {
+        diag_error(
+            NULL, 0,
+            "%s does not tell which instructions it runs; give --engine=fast with --coverage",
+            setup.engine->name);
         return EXIT_USAGE;
     }
     return run_and_report(&setup, &scenario, arguments);

@@ -506,6 +506,7 @@ static int start_simulator(struct loop *loop)
         .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->has_bytes,
         .flips = flips,
         .flip_count = list_flips(loop, flips),
+        .cover = loop->setup->cover,
     };
 
     return sim_start(loop->setup->engine, &loop->sim, &setup);

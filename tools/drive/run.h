@@ -30,7 +30,8 @@ struct run_setup {
     uint64_t seed;
     int quantum_us;
     int step_us;
-    bool guess; /* run ahead while no trigger is expected; begin again without, if one comes */
+    uint8_t *cover; /* sim_setup.cover; NULL: not wanted */
+    bool guess;     /* run ahead while no trigger is expected; begin again without, if one comes */
 };
 
 /* Someone who watches the run, such as the trace. Each function may be NULL. Times are of the

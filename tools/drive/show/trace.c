@@ -9,7 +9,7 @@
 
 /* Columns that come from every controller's telemetry; a world's own ones follow. */
 static const char *const reported[] = {"state", "fault"};
-enum { REPORTED = sizeof reported / sizeof reported[0] };
+enum { REPORTED = sizeof reported / sizeof reported[0], FILES = 5 };
 
 static double seconds(int64_t t_ns)
 {
@@ -351,6 +351,18 @@ static void json_write(struct trace *trace, const struct run *run, const struct 
     cJSON_Delete(root);
 }
 
+/* --- coverage ----------------------------------------------------------------------------- */
+
+/* The addresses of the instructions that were run, in order. */
+static void coverage_write(const struct trace *trace)
+{
+    for (unsigned address = 0; address < 8 * SIM_COVER_BYTES; address++) {
+        if (trace->covered[address / 8] >> address % 8 & 1) {
+            fprintf(trace->coverage.stream, "%04X\n", address);
+        }
+    }
+}
+
 /* --- all of them -------------------------------------------------------------------------- */
 
 void trace_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS],
@@ -389,6 +401,7 @@ static void begin(struct trace *trace)
     trace->vcd_ns = -1;
     trace->vcd_state[0] = '\0';
     trace->row_count = trace->line_count = 0;
+    memset(trace->covered, 0, sizeof trace->covered);
     if (trace->vcd.stream != NULL) {
         vcd_begin(trace);
     }
@@ -397,13 +410,15 @@ static void begin(struct trace *trace)
 int trace_open(struct trace *trace, const struct trace_paths *paths,
                const struct world_class *class)
 {
-    const char *const wanted[] = {paths->csv, paths->vcd, paths->json, paths->uart};
-    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+    const char *const wanted[] = {paths->csv, paths->vcd, paths->json, paths->uart,
+                                  paths->coverage};
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart,
+                                        &trace->coverage};
 
     memset(trace, 0, sizeof *trace);
     trace->class = class;
     trace->image = paths->image;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < FILES; i++) {
         if (wanted[i] == NULL) {
             continue;
         }
@@ -430,7 +445,8 @@ void trace_restart(void *user)
 
 int trace_commit(struct trace *trace, const struct run *run, const struct run_setup *setup)
 {
-    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart,
+                                        &trace->coverage};
     int status = EXIT_FINE;
 
     if (trace->csv.stream != NULL) {
@@ -442,7 +458,10 @@ int trace_commit(struct trace *trace, const struct run *run, const struct run_se
     if (trace->uart.stream != NULL) {
         fwrite(run->telemetry.log, 1, run->telemetry.length, trace->uart.stream);
     }
-    for (int i = 0; i < 4; i++) {
+    if (trace->coverage.stream != NULL) {
+        coverage_write(trace);
+    }
+    for (int i = 0; i < FILES; i++) {
         if (files[i]->stream == NULL) {
             continue;
         }
@@ -458,9 +477,10 @@ int trace_commit(struct trace *trace, const struct run *run, const struct run_se
 
 void trace_abandon(struct trace *trace)
 {
-    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart};
+    struct trace_file *const files[] = {&trace->csv, &trace->vcd, &trace->json, &trace->uart,
+                                        &trace->coverage};
 
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < FILES; i++) {
         memory_end(files[i]);
         outfile_abandon(&files[i]->out);
     }

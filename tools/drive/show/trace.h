@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a run leaves behind: CSV for people, VCD for a waveform viewer, JSON for machines. */
+/* What a run leaves behind: CSV for people, VCD for a waveform viewer, JSON for machines, and which
+ * instructions of the image were run. */
 #ifndef FUZZY51_TRACE_H
 #define FUZZY51_TRACE_H
 
@@ -17,8 +18,9 @@ struct trace {
         FILE *stream; /* in memory until the run is done; NULL: not wanted */
         char *text;
         size_t size;
-    } csv, vcd, json, uart;
-    int64_t vcd_ns; /* time of the last stamp */
+    } csv, vcd, json, uart, coverage;
+    uint8_t covered[SIM_COVER_BYTES]; /* for run_setup.cover, if the coverage is wanted */
+    int64_t vcd_ns;                   /* time of the last stamp */
     char vcd_state[TELEMETRY_FIELD_SIZE];
     /* For CSV and JSON, which are written when the run is over: a line of the controller comes
      * later than the rows that it tells about. */
@@ -36,8 +38,8 @@ struct trace {
 };
 
 struct trace_paths {
-    const char *csv, *vcd, *json, *uart; /* NULL: not wanted */
-    const char *image;                   /* what the image says of itself; NULL: nothing */
+    const char *csv, *vcd, *json, *uart, *coverage; /* NULL: not wanted */
+    const char *image; /* what the image says of itself; NULL: nothing */
 };
 
 /* Opens what is wanted. Returns EXIT_FINE, or EXIT_INPUT after a message. */

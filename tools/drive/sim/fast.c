@@ -180,6 +180,7 @@ static int start(struct sim **sim, const struct sim_setup *setup)
             mcs52_set_pin(fast->chip, 0, port_of(setup->drive[i]), setup->drive[i] & 7,
                           setup->levels >> i & 1);
         }
+        mcs52_cover(fast->chip, setup->cover);
         status = inject(fast, setup);
     }
     if (status == EXIT_FINE) {
@@ -268,6 +269,7 @@ int fast_resets(const struct sim *sim)
 
 const struct sim_engine fast_engine = {.name = "fast",
                                        .can_flip = true,
+                                       .can_cover = true,
                                        .check = check,
                                        .start = start,
                                        .set_pin = set_pin,

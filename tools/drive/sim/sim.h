@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { SIM_MAX_PINS = 12 };
+enum { SIM_MAX_PINS = 12, SIM_COVER_BYTES = 0x10000 / 8 };
 
 struct sim_setup {
     const char *hex;      /* the image */
@@ -27,6 +27,8 @@ struct sim_setup {
     bool uart_in;                 /* sim_send will be used */
     const struct sim_flip *flips; /* of an engine that can flip bits */
     int flip_count;
+    uint8_t *cover; /* of an engine that can cover: SIM_COVER_BYTES; bit A%8 of cover[A/8] is set
+                     * when the instruction at address A is run; NULL: not wanted */
 };
 
 enum sim_flip_place { SIM_RAM, SIM_SFR, SIM_REGISTER, SIM_PC, SIM_XDATA };
@@ -81,7 +83,8 @@ struct sim {
 
 struct sim_engine {
     const char *name;
-    bool can_flip; /* bits of the chip: sim_setup.flips */
+    bool can_flip;  /* bits of the chip: sim_setup.flips */
+    bool can_cover; /* sim_setup.cover */
     int (*check)(void);
     int (*start)(struct sim **sim, const struct sim_setup *setup);
     void (*set_pin)(struct sim *sim, int64_t time_ns, int drive, bool level);
