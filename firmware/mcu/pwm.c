@@ -32,8 +32,10 @@ static volatile __bit first_level, second_level;
 static volatile uint16_t new_first_reload;
 static volatile __bit new_first_level, new_second_level, new_is_set;
 
+/* Not static: of a static inline function SDCC keeps a copy that nobody calls. */
+
 /* The next first phase will be the new one. */
-static inline void take_new(void)
+inline void take_new(void)
 {
     new_is_set = 0;
     first_reload = new_first_reload;
@@ -41,7 +43,7 @@ static inline void take_new(void)
     second_level = new_second_level;
 }
 
-static inline void prepare_first(void)
+inline void prepare_first(void)
 {
     level = first_level;
     reload = first_reload;
