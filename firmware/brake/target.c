@@ -49,6 +49,7 @@ static void drop(void)
     stuck_readings = 0;
 #if RANGE_IS_FAST
     run_speed = 0;
+    run_way = 0;
 #endif
     closing_restart();
 }
@@ -266,6 +267,7 @@ uint8_t target_echo(uint16_t dist_mm)
         closing_take_second(echo_mm, since_cs);
 #if RANGE_IS_FAST
         run_speed = 0;
+        run_way = 0;
 #endif
     } else {
         closing_restart();
