@@ -99,9 +99,20 @@ static void test_that_the_reason_is_speed_or_a_near_gap(void)
     TEST_ASSERT_EQUAL_DOUBLE(0, best_driver_reason_s(&encounter));
 }
 
+/* 6 m/s faster than the car ahead, 5 m behind: 2 m are left when the brake acts. */
+static void test_that_a_car_that_drives_on_is_met_with_the_formula(void)
+{
+    struct encounter encounter = {
+        .own_mps = 10, .gap_m = 5, .lead_mps = 4, .brake_mps2 = 8, .from_s = 0.1};
+
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, sqrt(6 * 6 - 2 * 8 * 2),
+                              best_driver_contact_mps(&encounter, 0.5));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_that_a_car_that_drives_on_is_met_with_the_formula);
     RUN_TEST(test_that_a_standing_car_is_avoided_up_to_the_formula);
     RUN_TEST(test_that_a_braking_car_ahead_gives_what_small_steps_give);
     RUN_TEST(test_that_two_cars_at_rest_do_not_touch);

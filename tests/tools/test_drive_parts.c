@@ -230,6 +230,40 @@ static void test_that_sync_times_lie_between_machine_cycles(void)
     }
 }
 
+static void test_that_a_pin_that_begins_high_is_at_100_percent(void)
+{
+    pwm_init(&pwm, 0, true);
+    TEST_ASSERT_EQUAL_DOUBLE(100, pwm.duty_pct);
+    TEST_ASSERT_EQUAL_INT64(INT64_MAX, pwm_steady_ns(&pwm));
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 1 * ms, false));
+    TEST_ASSERT_EQUAL_INT64(16 * ms, pwm_steady_ns(&pwm)); /* not low for long enough yet */
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 3 * ms, true));       /* no period yet */
+    TEST_ASSERT_EQUAL_DOUBLE(100, pwm.duty_pct);
+}
+
+static void test_that_a_period_that_begins_is_not_steady(void)
+{
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 1 * ms, true));
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 2 * ms, false)); /* low at 0 %, but in a period */
+    TEST_ASSERT_EQUAL_INT64(17 * ms, pwm_steady_ns(&pwm));
+    TEST_ASSERT_TRUE(pwm_edge(&pwm, 11 * ms, true));
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 12 * ms, false));
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 21 * ms, true)); /* the same duty */
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 10, pwm.duty_pct);
+}
+
+static void test_that_a_period_lasts_a_nanosecond_at_least(void)
+{
+    pwm_init(&pwm, 0, true);
+    pwm_edge(&pwm, 5, false);
+    pwm_edge(&pwm, 5, true);
+    TEST_ASSERT_FALSE(pwm_edge(&pwm, 5, true));
+    TEST_ASSERT_EQUAL_DOUBLE(100, pwm.duty_pct);
+    pwm_edge(&pwm, 5, false);
+    TEST_ASSERT_TRUE(pwm_edge(&pwm, 6, true));
+    TEST_ASSERT_EQUAL_DOUBLE(0, pwm.duty_pct);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -246,5 +280,8 @@ int main(void)
     RUN_TEST(test_that_a_broken_image_is_refused);
     RUN_TEST(test_that_boards_are_known_by_name);
     RUN_TEST(test_that_sync_times_lie_between_machine_cycles);
+    RUN_TEST(test_that_a_pin_that_begins_high_is_at_100_percent);
+    RUN_TEST(test_that_a_period_that_begins_is_not_steady);
+    RUN_TEST(test_that_a_period_lasts_a_nanosecond_at_least);
     return UNITY_END();
 }

@@ -106,6 +106,67 @@ static void test_gap_is_measured_to_the_nearest_millimetre(void)
     TEST_ASSERT_EQUAL_INT(999, robots_gap_mm(&robots));
 }
 
+static void test_a_run_begins_with_what_is_there(void)
+{
+    struct robots robots = {.gap_um = 1, .step = 5, .least_gap_um = 77};
+
+    robots_start(&robots);
+    TEST_ASSERT_EQUAL_INT(0, robots.step);
+    TEST_ASSERT_EQUAL_INT(1, robots.least_gap_um);
+    TEST_ASSERT_FALSE(robots.collided);
+    robots.gap_um = 0;
+    robots_start(&robots);
+    TEST_ASSERT_TRUE(robots.collided);
+}
+
+static void test_accelerations_are_rounded_to_the_nearest_tenth(void)
+{
+    struct robots robots = start(9000, 0, 0);
+
+    robots_step(&robots, 1950, false);
+    TEST_ASSERT_EQUAL_INT(200, robots.own_mmps);
+    robots = start(9000, 0, 0);
+    robots_step(&robots, 10000, false);
+    TEST_ASSERT_EQUAL_INT(1000, robots.own_mmps);
+}
+
+static void test_speed_is_limited_to_the_millimetre(void)
+{
+    struct robots robots = start(9000, 9, 0);
+
+    robots_step(&robots, -100, false);
+    TEST_ASSERT_EQUAL_INT(0, robots.own_mmps);
+    robots = start(9000, 1991, 0);
+    robots_step(&robots, 100, false);
+    TEST_ASSERT_EQUAL_INT(2000, robots.own_mmps);
+}
+
+/* 1 m/s for 0.1 s is 100 mm. */
+static void test_contact_is_a_gap_of_0(void)
+{
+    struct robots robots = start(100, 1000, 0);
+
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_TRUE(robots.collided);
+    robots = start(100, 1000, 0);
+    robots.gap_um = 100001;
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_FALSE(robots.collided);
+    robots.gap_um = -1600;
+    TEST_ASSERT_EQUAL_INT(0, robots_gap_mm(&robots));
+}
+
+static void test_least_gap_is_kept(void)
+{
+    struct robots robots = start(1000, 1000, 0);
+
+    robots_step(&robots, 0, false);
+    robots.lead_mmps = 2000;
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_EQUAL_INT(1000000, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(900000, robots.least_gap_um);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -116,5 +177,10 @@ int main(void)
     RUN_TEST(test_free_lane_is_taken_once);
     RUN_TEST(test_taken_lane_is_not_entered);
     RUN_TEST(test_gap_is_measured_to_the_nearest_millimetre);
+    RUN_TEST(test_a_run_begins_with_what_is_there);
+    RUN_TEST(test_accelerations_are_rounded_to_the_nearest_tenth);
+    RUN_TEST(test_speed_is_limited_to_the_millimetre);
+    RUN_TEST(test_contact_is_a_gap_of_0);
+    RUN_TEST(test_least_gap_is_kept);
     return UNITY_END();
 }

@@ -69,8 +69,7 @@ static double target_x_m(const struct target *target, double t_s, double *speed_
 
 static bool is_there(const struct lead *lead, double t_s)
 {
-    return lead->present && (lead->appears_s < 0 || t_s >= lead->appears_s) &&
-           (lead->leaves_s < 0 || t_s < lead->leaves_s);
+    return lead->present && t_s >= lead->appears_s && (lead->leaves_s < 0 || t_s < lead->leaves_s);
 }
 
 static double now_s(const struct car *car)
@@ -163,8 +162,7 @@ static void place_targets(struct car *car)
         if (target->there && !target->placed) {
             double speed_mps;
 
-            target->placed = true;
-            target->origin_m = 0;
+            target->placed = true; /* its origin is still 0 */
             target->origin_m =
                 car->x_m + target->lead.gap_m - target_x_m(target, now_s(car), &speed_mps);
         }
@@ -393,12 +391,12 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
     }
 }
 
-/* MARK_S, if that comes before END_NS; else END_NS. */
+/* MARK_S, if that is still to come and before END_NS; else END_NS. */
 static int64_t sooner(const struct car *car, double mark_s, int64_t end_ns)
 {
     int64_t mark_ns = (int64_t)llround(mark_s * 1e9);
 
-    return mark_s >= 0 && mark_ns > car->now_ns && mark_ns < end_ns ? mark_ns : end_ns;
+    return mark_ns > car->now_ns && mark_ns < end_ns ? mark_ns : end_ns;
 }
 
 /* End of the step that begins now: the grid, a demand that begins to act, a target that comes or
