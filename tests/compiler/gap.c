@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The gap controller's steps. */
 #include "gap.h"
-#include "fixed.h"
 #include "frames.h"
 
 void steps_begin(void)
@@ -12,14 +11,7 @@ void steps_begin(void)
 
 void step(void)
 {
-    uint32_t product;
-    uint16_t factor;
-
     step_lib();
-    factor = take_u16();
-    product = mul_u16(factor, take_u16());
-    put_u16((uint16_t)(product >> 16));
-    put_u16((uint16_t)product);
     if (take_frame(gap_read)) {
         gap_decide();
         put_u16((uint16_t)gap_lq_cmps2());
@@ -48,8 +40,6 @@ void draw(void)
     uint8_t payload[GAP_PAYLOAD_BYTES], *to = payload;
 
     draw_lib();
-    give_u16(draw_u16(0, 65535));
-    give_u16(draw_u16(0, 65535));
     to = add_u16(to, draw_u16(0, chance(2) ? GAP_MAX_CM : 6000));
     to = add_u16(to, draw_u16(0, chance(2) ? GAP_SPEED_MAX_CMPS : 60));
     to = add_u16(to, draw_u16(0, chance(3) ? GAP_SPEED_MAX_CMPS : 8));

@@ -49,9 +49,13 @@ void step_lib(void)
 {
     uint8_t what = take();
     uint16_t a = take_u16(), b = take_u16();
+    uint32_t product;
 
     put_u16(mul_u8((uint8_t)a, (uint8_t)b));
     put_u16(mul_hi_u16(a, b));
+    product = mul_u16(a, b);
+    put_u16((uint16_t)(product >> 16));
+    put_u16((uint16_t)product);
     put_u16(magnitude_i16((int16_t)a));
     put(lamp_tick(take()));
     if (what & WITH_TABLE) {

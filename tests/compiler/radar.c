@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The radar's steps. */
 #include "radar.h"
-#include "fixed.h"
 #include "fmcw.h"
 #include "frames.h"
 #include "lane.h"
@@ -15,14 +14,7 @@ void steps_begin(void)
 
 void step(void)
 {
-    uint32_t product;
-    uint16_t factor;
-
     step_lib();
-    factor = take_u16();
-    product = mul_u16(factor, take_u16());
-    put_u16((uint16_t)(product >> 16));
-    put_u16((uint16_t)product);
     put_u16(lane_sine_q16(take_u16()));
     put(radar_row((int16_t)take_u16()));
     put(radar_col(take_u16()));
@@ -63,8 +55,6 @@ void draw(void)
     uint32_t curve = chance(3);
 
     draw_lib();
-    give_u16(draw_u16(0, 65535));
-    give_u16(draw_u16(0, 65535));
     give_u16((uint16_t)chance(LANE_AZIMUTH_MAX_TURN16 + 1));
     give_u16((uint16_t)chance(65536));
     give_u16((uint16_t)chance(65536));

@@ -3,8 +3,8 @@
 # its firmware is linked of, and steps beside it, the host's program. The objects are copied first with their
 # listings, because the linker writes its addresses into them.
 
-# What is compared of an image: all but the machine and the main loop.
-steps_modules = $(filter-out mcu/% %/main frames/frames,$($(1)_MODULES))
+# What is compared of an image: all but the machine and the main loop; and the one part of lib that not each image has.
+steps_modules = $(sort lib/mul_u16 $(filter-out mcu/% %/main frames/frames,$($(1)_MODULES)))
 
 # The images with a decision of their own.
 STEPS_IMAGES := $(foreach image,$(ALL_IMAGES),$(if $(filter $(call controller_of,$(image))/%,$(call steps_modules,$(image))),$(image)))

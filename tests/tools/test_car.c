@@ -352,7 +352,7 @@ static void test_that_commands_end_with_the_points_of_a_profile(void)
 
 /* --- closed forms --------------------------------------------------------------------------- */
 
-/* A brake that acts at once, and steps so long that only the closed form can be right within one. */
+/* A brake that acts at once, and steps so long that only the closed form is right in them. */
 static void begin_at_once(double speed_mps, int64_t step_ns)
 {
     scenario.ego.speed_mps = speed_mps;

@@ -16,7 +16,7 @@ void tearDown(void)
 {
 }
 
-/* 2 m from axle to axle, so that a steering angle of 45 degrees is a circle with a radius of 2 m. */
+/* 2 m from axle to axle, so that a steering angle of 45 degrees is a circle of 2 m radius. */
 static struct truck truck_at(double x_m, double y_m, double heading_rad)
 {
     return (struct truck){.x_m = x_m,
