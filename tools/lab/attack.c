@@ -117,10 +117,10 @@ static void add_lead(struct scenario *scenario)
     }
 }
 
-static struct scenario any_scenario(void)
+static struct scenario any_scenario(const struct image *image)
 {
     static const double steps_m[] = {0, 0.001, 0.003, 0.01};
-    struct scenario scenario = lab_situation(between(0.5, 6), 8);
+    struct scenario scenario = lab_situation(image, between(0.5, 6), 8);
     struct sensor *sensor = &brake_settings(&scenario)->sensing.sensor;
 
     scenario.hold_s = SCENARIO_UNSET;
@@ -273,7 +273,7 @@ int lab_attack(FILE *out, const struct image *image, const struct image *first, 
         bool any = false;
 
         random_seed(&chance, number);
-        scenario = any_scenario();
+        scenario = any_scenario(image);
         loop_run_watched(image, &scenario, number, STEP_US, &outcome, look, &drive);
         drive.flags[FLAG_IMPACT] = outcome.values[METRIC_IMPACT] > 0 &&
                                    is_impact_flagged(image, first, &scenario, number, &limits);

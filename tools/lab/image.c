@@ -16,6 +16,11 @@ static bool find(void *object, const char *name, void *target)
     return address != NULL;
 }
 
+bool image_is_tfluna(const struct image *image)
+{
+    return image->push != NULL;
+}
+
 int image_load(struct image *image, const char *path)
 {
     char file[4096];
@@ -42,6 +47,9 @@ int image_load(struct image *image, const char *path)
         return diag_error(path, 0,
                           "no controller of this laboratory; use build/lab-images/NAME.so");
     }
+    find(object, "range_restart", &image->restart);
+    find(object, "lab_push", &image->push);
+    find(object, "range_raw", &image->raw);
     load();
     return EXIT_FINE;
 }

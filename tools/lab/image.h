@@ -15,11 +15,19 @@ struct image {
     void (*finish)(void);
     void (*tick)(bool override_held);
     bool (*must_stop)(uint16_t dist_mm);
-    uint16_t (*range_mm)(uint16_t ticks);
+    uint16_t (*range_mm)(uint16_t raw); /* cycles of an echo, or the centimetres of a frame */
     uint8_t (*range_kind)(uint16_t dist_mm);
+    /* Of a sensor that sends frames, else NULL: forgets all bytes, takes one (true: it completes a
+     * good frame), and says what range_mm makes a distance of. */
+    void (*restart)(void);
+    bool (*push)(uint8_t byte);
+    uint16_t (*raw)(void);
     const unsigned *rows, *cols; /* of its table, along the distance and the speed */
     uint8_t *cells;              /* row by row; may be written over */
 };
+
+/* Whether its sensor is a TF-Luna, not an HC-SR04. */
+bool image_is_tfluna(const struct image *image);
 
 /* Loads PATH. Returns EXIT_FINE, or EXIT_INPUT after a message. It stays loaded to the end. */
 int image_load(struct image *image, const char *path);

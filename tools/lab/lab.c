@@ -10,7 +10,7 @@
 /* Peaks are sampled once a step, and the motion within one is exact. */
 enum { STEP_US = 5000 };
 
-struct scenario lab_situation(double speed_mps, double duration_s)
+struct scenario lab_situation(const struct image *image, double speed_mps, double duration_s)
 {
     struct scenario scenario;
     struct sensor *sensor = &brake_settings(&scenario)->sensing.sensor;
@@ -20,7 +20,8 @@ struct scenario lab_situation(double speed_mps, double duration_s)
     scenario.hold_s = 0.5;
     scenario.ego.speed_mps = speed_mps;
     scenario.lead.present = true;
-    sensor->noise_m = 0.01;
+    sensor->kind = image_is_tfluna(image) ? SENSOR_TFLUNA : SENSOR_HCSR04;
+    sensor->noise_m = image_is_tfluna(image) ? 0.02 : 0.01;
     sensor->dropout = 0.02;
     return scenario;
 }
@@ -57,11 +58,13 @@ static double spread(int run)
 
 struct figures lab_standing(const struct image *image, double speed_mps, int runs)
 {
-    struct scenario scenario = lab_situation(speed_mps, 20);
+    struct scenario scenario = lab_situation(image, speed_mps, 20);
+    double far_m = sensor_max_m(&brake_settings(&scenario)->sensing.sensor);
     struct figures figures = {0};
 
     for (int run = 0; run < runs; run++) {
-        scenario.lead.gap_m = 6.5 + spread(run) * 0.06 * speed_mps; /* any phase of the sensor */
+        /* any phase of the sensor */
+        scenario.lead.gap_m = far_m + 1.5 + spread(run) * 0.06 * speed_mps;
         add(&figures, image, &scenario, run, runs);
     }
     return figures;
@@ -69,7 +72,7 @@ struct figures lab_standing(const struct image *image, double speed_mps, int run
 
 struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int runs)
 {
-    struct scenario scenario = lab_situation(10, 12);
+    struct scenario scenario = lab_situation(image, 10, 12);
     struct figures figures = {0};
 
     scenario.lead.gap_m = 5;
@@ -84,7 +87,7 @@ struct figures lab_lead_brakes(const struct image *image, double decel_mps2, int
 
 struct figures lab_stop_and_go(const struct image *image, double driver_mps2, int runs)
 {
-    struct scenario scenario = lab_situation(0, 120);
+    struct scenario scenario = lab_situation(image, 0, 120);
     struct figures figures = {0};
 
     scenario.hold_s = SCENARIO_UNSET;
@@ -115,7 +118,7 @@ static void print_limits(FILE *out, const struct image *image, int runs)
     double safe_mps = 0, median_mps = 0;
     bool is_safe = true;
 
-    for (int k = 30; k <= 80; k++) {
+    for (int k = 30; k <= 100; k++) {
         struct figures figures = lab_standing(image, k * step_mps, runs);
 
         is_safe = is_safe && figures.impacts == 0;
@@ -133,13 +136,15 @@ static void print_limits(FILE *out, const struct image *image, int runs)
 
 static void print_image(FILE *out, const struct image *image, int runs)
 {
+    double from_mps = image_is_tfluna(image) ? 8.4 : 6.2;
+
     fprintf(out, "%s\n", image->path);
     print_limits(out, image, runs);
-    for (double speed_mps = 6.2; speed_mps < 6.9; speed_mps += 0.2) {
+    for (double speed_mps = from_mps; speed_mps < from_mps + 0.7; speed_mps += 0.2) {
         fprintf(out, "  standing car, %.1f m/s: %d impacts in %d runs\n", speed_mps,
                 lab_standing(image, speed_mps, 1000).impacts, 1000);
     }
-    for (int speed_mps = 1; speed_mps <= 6; speed_mps++) {
+    for (int speed_mps = 1; speed_mps <= (int)from_mps; speed_mps++) {
         struct figures f = lab_standing(image, speed_mps, runs);
 
         fprintf(out,

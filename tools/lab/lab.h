@@ -18,11 +18,12 @@ struct figures {
     double jerk_worst_mps3, jerk_mean_mps3, decel_mean_mps2, rms_mps2, stuck_worst_s;
 };
 
-/* The ordinary scenario: a brake of 8 m/s2, 50 ms dead time and 0.2 s lag; 1 cm of noise, 2 % of
- * the readings missing, 5 m of sight; a car ahead that stands; its gap is still to be set. */
-struct scenario lab_situation(double speed_mps, double duration_s);
+/* The ordinary scenario: a brake of 8 m/s2, 50 ms dead time and 0.2 s lag; 2 % of the readings
+ * missing; 5 m of sight and 1 cm of noise, or 8 m and 2 cm before a TF-Luna; a car ahead that
+ * stands; its gap is still to be set. */
+struct scenario lab_situation(const struct image *image, double speed_mps, double duration_s);
 
-/* A standing car, first seen at 5 m; own driver keeps SPEED_MPS. */
+/* A standing car, first seen from as far as the sensor sees; own driver keeps SPEED_MPS. */
 struct figures lab_standing(const struct image *image, double speed_mps, int runs);
 
 /* Both at 10 m/s and 5 m apart; then the one ahead brakes with DECEL_MPS2. */

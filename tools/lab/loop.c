@@ -18,6 +18,9 @@ enum {
     CLEAR_NS = 320000,     /* the same where there was no target: no estimator, no table */
     HAND_OVER_NS = 256000, /* least time to a period in which that takes it */
     TRIGGER_TICKS = 6,
+    /* Of a sensor that sends frames. */
+    BYTE_NS = 1041667,       /* at 9600 baud */
+    FRAME_WAIT_NS = 50000000 /* without a good frame is a fault: RANGE_WAIT_CS of tfluna.h */
 };
 #define NEVER INT64_MAX
 
@@ -38,6 +41,11 @@ struct loop {
     bool held;
     uint8_t until_trigger;
     struct loop_reading reading; /* the last one */
+    /* or frames */
+    uint8_t bytes[WORLD_BYTES];
+    size_t byte_count;
+    int64_t arrival_ns;  /* of the last of these bytes */
+    int64_t expected_ns; /* the last time that the controller took a reading, or missed one */
 };
 
 static void set_pin(struct loop *loop, int64_t t_ns, enum board_pin pin, bool *now, bool level)
@@ -114,6 +122,49 @@ static void echo_changed(struct loop *loop, int64_t t_ns, bool level)
     control_step(loop, t_ns, kind, kind == RANGE_ECHO ? dist_mm : 0);
 }
 
+/* A control step of a sensor that sends frames, with what is known of the reading then. */
+static void take_reading(struct loop *loop, int64_t t_ns, uint8_t kind, uint16_t dist_mm)
+{
+    finish(loop);
+    loop->image->expect((uint8_t)((t_ns - loop->expected_ns + PERIOD_NS / 2) / PERIOD_NS));
+    loop->expected_ns = t_ns;
+    control_step(loop, t_ns, kind, dist_mm);
+}
+
+static void frame_arrives(struct loop *loop, int64_t t_ns)
+{
+    for (size_t i = 0; i < loop->byte_count; i++) {
+        if (loop->image->push(loop->bytes[i])) {
+            uint16_t dist_mm = loop->image->range_mm(loop->image->raw());
+            uint8_t kind = loop->image->range_kind(dist_mm);
+
+            take_reading(loop, t_ns, kind, kind == RANGE_ECHO ? dist_mm : 0);
+        }
+    }
+    loop->arrival_ns = NEVER;
+}
+
+/* The world's own time has come: a frame may begin. */
+static void pass_mark(struct loop *loop, int64_t t_ns)
+{
+    uint8_t bytes[WORLD_BYTES];
+    size_t count =
+        image_is_tfluna(loop->image) ? loop->class->take_bytes(loop->world, t_ns, bytes) : 0;
+
+    if (count > 0) {
+        memcpy(loop->bytes, bytes, count);
+        loop->byte_count = count;
+        loop->arrival_ns = t_ns + (int64_t)count * BYTE_NS;
+    }
+}
+
+static void wait_for_frame(struct loop *loop, int64_t t_ns)
+{
+    if (t_ns - loop->expected_ns >= FRAME_WAIT_NS) {
+        take_reading(loop, t_ns, RANGE_NOT_RISEN, 0);
+    }
+}
+
 /* Every 10 ms. */
 static void tick(struct loop *loop, int64_t t_ns)
 {
@@ -123,6 +174,10 @@ static void tick(struct loop *loop, int64_t t_ns)
     loop->image->tick(loop->held);
     if (loop->duty_ns == NEVER) {
         apply(loop, t_ns);
+    }
+    if (image_is_tfluna(loop->image)) {
+        wait_for_frame(loop, t_ns);
+        return;
     }
     if (--loop->until_trigger != 0) {
         return;
@@ -173,6 +228,9 @@ static int64_t run_until(struct loop *loop, int64_t end_ns, loop_watch *watch, v
         if (loop->duty_ns < next_ns) {
             next_ns = loop->duty_ns;
         }
+        if (loop->arrival_ns < next_ns) {
+            next_ns = loop->arrival_ns;
+        }
         mark_ns = loop->class->mark_ns(loop->world);
         if (mark_ns < next_ns) {
             next_ns = mark_ns;
@@ -185,6 +243,9 @@ static int64_t run_until(struct loop *loop, int64_t end_ns, loop_watch *watch, v
             end_ns = next_ns;
             break;
         }
+        if (next_ns == mark_ns) {
+            pass_mark(loop, next_ns);
+        }
         if (next_ns == loop->stop_ns) {
             if (loop->image->brake->stop) {
                 apply(loop, next_ns);
@@ -195,6 +256,8 @@ static int64_t run_until(struct loop *loop, int64_t end_ns, loop_watch *watch, v
             finish(loop);
             apply(loop, next_ns);
             loop->duty_ns = NEVER;
+        } else if (next_ns == loop->arrival_ns) {
+            frame_arrives(loop, next_ns);
         } else if (next_ns == loop->interrupt_ns) {
             interrupt(loop);
         } else if (next_ns == job_ns) {
@@ -228,6 +291,7 @@ void loop_run_watched(const struct image *image, const struct scenario *scenario
                         .interrupt_ns = PERIOD_NS - JOB_NS,
                         .stop_ns = NEVER,
                         .duty_ns = NEVER,
+                        .arrival_ns = NEVER,
                         .until_trigger = 1};
 
     memset(outcome, 0, sizeof *outcome);
@@ -235,7 +299,11 @@ void loop_run_watched(const struct image *image, const struct scenario *scenario
     image->init(BRAKE_FAULT_NONE);
     loop.world = loop.class->create(scenario, seed, (int64_t)step_us * 1000);
     loop.class->start(loop.world, levels);
-    loop.class->pin_changed(loop.world, 0, PIN_TRIGGER, true);
+    if (image_is_tfluna(image)) {
+        image->restart();
+    } else {
+        loop.class->pin_changed(loop.world, 0, PIN_TRIGGER, true);
+    }
     loop.class->measure(loop.world,
                         run_until(&loop, (int64_t)llround(scenario->duration_s * 1e9), watch, user),
                         outcome);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of a controller that runs on the host: as lut.c, but its cells may be written over. */
+/* What a controller that runs on the host has beside its own files: the table, as lut.c, but its
+ * cells may be written over; with a TF-Luna, the interrupt that takes its bytes. */
 #define LUT_DATA
 #include <stdint.h>
 #include "cc51.h"
@@ -26,3 +27,23 @@ uint8_t lut_at(uint8_t row, uint8_t col)
 {
     return lab_cells[row][col];
 }
+
+#ifdef SENSOR_tfluna
+#include "range.h"
+
+enum { FRAME_BYTES = 9 };
+bool lab_push(uint8_t byte);
+
+/* A byte comes, and the main loop looks at it. True: it completes a good frame. */
+bool lab_push(uint8_t byte)
+{
+    RANGE_NEXT = byte;
+    range_came++;
+    while ((uint8_t)(range_came - range_taken) >= FRAME_BYTES) {
+        if (range_take()) {
+            return true;
+        }
+    }
+    return false;
+}
+#endif

@@ -44,7 +44,7 @@ static struct trouble stray(const struct image *image, double speed_mps, enum st
     struct trouble trouble = {0};
 
     for (int i = 0; i < runs; i++) {
-        struct scenario scenario = lab_situation(speed_mps, 8);
+        struct scenario scenario = lab_situation(image, speed_mps, 8);
         double sight_s, dist_m, from_s;
 
         random_seed(&chance, (uint64_t)i);
@@ -77,7 +77,7 @@ static struct trouble missing(const struct image *image, double share, int runs)
         struct scenario scenario;
 
         random_seed(&chance, (uint64_t)i);
-        scenario = lab_situation(between(4.5, 5.5), 8);
+        scenario = lab_situation(image, between(4.5, 5.5), 8);
         scenario.lead.gap_m = between(5.2, 6);
         brake_settings(&scenario)->sensing.sensor.dropout = share;
         run(image, &scenario, (uint64_t)i, &trouble);
@@ -94,7 +94,7 @@ static struct trouble coarse(const struct image *image, double step_m, double no
         struct scenario scenario;
 
         random_seed(&chance, (uint64_t)i);
-        scenario = lab_situation(between(1, 5.5), 12);
+        scenario = lab_situation(image, between(1, 5.5), 12);
         scenario.hold_s = 2;
         scenario.lead.gap_m = between(5.2, 6);
         brake_settings(&scenario)->sensing.sensor.dropout = 0;
@@ -135,7 +135,7 @@ static int unfound(const struct image *image, double step_m, double noise_m, int
 
         random_seed(&chance, (uint64_t)i);
         speed_mps = between(1.5, 5.5);
-        scenario = lab_situation(speed_mps, 4);
+        scenario = lab_situation(image, speed_mps, 4);
         scenario.lead.gap_m = between(5.2, 6);
         brake_settings(&scenario)->sensing.sensor.dropout = 0;
         brake_settings(&scenario)->sensing.sensor.noise_m = noise_m;

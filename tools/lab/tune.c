@@ -26,34 +26,74 @@ enum {
     PARAMETERS
 };
 
-static const struct {
-    double start, low, high, step, grid;
-} parameter[PARAMETERS] = {
-    [NEAR] = {1.5, 1, 5.5, 0.3, 0.05},   [FAIRLY_NEAR] = {2.2, 1, 5.5, 0.4, 0.05},
-    [NEAR_M] = {3.2, 1, 5.5, 0.4, 0.05}, [NORMAL] = {5, 1, 5.5, 0.3, 0.05},
-    [SMALL] = {2, 1, 6.9, 0.4, 0.05},    [MEDIUM] = {3.5, 1, 6.9, 0.4, 0.05},
-    [LARGE] = {6, 1, 6.9, 0.4, 0.05},    [FAIRLY_SMALL] = {0, 0, 10, 2, 1},
-    [MODERATE] = {30, 0, 97, 8, 1},      [FAIRLY_LARGE] = {65, 0, 97, 8, 1},
+struct walk {
+    const char *name;
+    double near_m, far_m, fast_mps; /* of the table */
+    struct {
+        double start, low, high, step, grid;
+    } parameter[PARAMETERS];
+    double hits_mps[3];   /* standing cars that are nearly hit: the first ones count most */
+    double smooth_mps[2]; /* and here at most 25 m/s3 */
 };
+
+/* One for each kind of sensor. */
+static const struct walk walks[] = {
+    {.name = "brake_tuned",
+     .near_m = 1,
+     .far_m = 5,
+     .fast_mps = 7,
+     .parameter = {[NEAR] = {1.5, 1, 5.5, 0.3, 0.05},
+                   [FAIRLY_NEAR] = {2.2, 1, 5.5, 0.4, 0.05},
+                   [NEAR_M] = {3.2, 1, 5.5, 0.4, 0.05},
+                   [NORMAL] = {5, 1, 5.5, 0.3, 0.05},
+                   [SMALL] = {2, 1, 6.9, 0.4, 0.05},
+                   [MEDIUM] = {3.5, 1, 6.9, 0.4, 0.05},
+                   [LARGE] = {6, 1, 6.9, 0.4, 0.05},
+                   [FAIRLY_SMALL] = {0, 0, 10, 2, 1},
+                   [MODERATE] = {30, 0, 97, 8, 1},
+                   [FAIRLY_LARGE] = {65, 0, 97, 8, 1}},
+     .hits_mps = {6.4, 6.6, 6.8},
+     .smooth_mps = {4, 4}},
+    {.name = "brake_far",
+     .near_m = 0.5,
+     .far_m = 8,
+     .fast_mps = 9,
+     .parameter = {[NEAR] = {1.2, 0.8, 8.5, 0.4, 0.05},
+                   [FAIRLY_NEAR] = {2.6, 0.8, 8.5, 0.6, 0.05},
+                   [NEAR_M] = {3.45, 0.8, 8.5, 0.6, 0.05},
+                   [NORMAL] = {4.95, 0.8, 8.5, 0.5, 0.05},
+                   [SMALL] = {1, 1, 8.9, 0.5, 0.05},
+                   [MEDIUM] = {3.8, 1, 8.9, 0.5, 0.05},
+                   [LARGE] = {5.55, 1, 8.9, 0.5, 0.05},
+                   [FAIRLY_SMALL] = {4, 0, 10, 2, 1},
+                   [MODERATE] = {33, 0, 97, 8, 1},
+                   [FAIRLY_LARGE] = {36, 0, 97, 8, 1}},
+     .hits_mps = {8.6, 8.8, 9},
+     .smooth_mps = {4, 8.5}},
+};
+static const struct walk *walk;
 
 static void write_fis(FILE *out, const double *p)
 {
     fprintf(out,
-            "[System]\nName='brake_tuned'\nType='mamdani'\nVersion=2.0\nNumInputs=2\nNumOutputs=1\n"
+            "[System]\nName='%s'\nType='mamdani'\nVersion=2.0\nNumInputs=2\nNumOutputs=1\n"
             "NumRules=16\nAndMethod='prod'\nOrMethod='max'\nImpMethod='prod'\nAggMethod='max'\n"
-            "DefuzzMethod='centroid'\n\n");
+            "DefuzzMethod='centroid'\n\n",
+            walk->name);
     fprintf(
         out,
-        "%% distance to the car in front, m\n[Input1]\nName='distance_m'\nRange=[1 5]\nNumMFs=4\n"
+        "%% distance to the car in front, m\n[Input1]\nName='distance_m'\nRange=[%g %g]\nNumMFs=4\n"
         "MF1='very_near':'trapmf',[-1 0 %g %g]\nMF2='fairly_near':'trimf',[%g %g %g]\n"
-        "MF3='near':'trimf',[%g %g %g]\nMF4='normal':'trapmf',[%g %g 6 7]\n\n",
-        p[NEAR], p[FAIRLY_NEAR], p[NEAR], p[FAIRLY_NEAR], p[NEAR_M], p[FAIRLY_NEAR], p[NEAR_M],
-        p[NORMAL], p[NEAR_M], p[NORMAL]);
+        "MF3='near':'trimf',[%g %g %g]\nMF4='normal':'trapmf',[%g %g %g %g]\n\n",
+        walk->near_m, walk->far_m, p[NEAR], p[FAIRLY_NEAR], p[NEAR], p[FAIRLY_NEAR], p[NEAR_M],
+        p[FAIRLY_NEAR], p[NEAR_M], p[NORMAL], p[NEAR_M], p[NORMAL], walk->far_m + 1,
+        walk->far_m + 2);
     fprintf(out,
-            "%% closing speed, m/s\n[Input2]\nName='closing_mps'\nRange=[0 7]\nNumMFs=4\n"
+            "%% closing speed, m/s\n[Input2]\nName='closing_mps'\nRange=[0 %g]\nNumMFs=4\n"
             "MF1='very_small':'trimf',[0 0 %g]\nMF2='small':'trimf',[0 %g %g]\n"
-            "MF3='medium':'trimf',[%g %g %g]\nMF4='large':'trapmf',[%g %g 8 9]\n\n",
-            p[SMALL], p[SMALL], p[MEDIUM], p[SMALL], p[MEDIUM], p[LARGE], p[MEDIUM], p[LARGE]);
+            "MF3='medium':'trimf',[%g %g %g]\nMF4='large':'trapmf',[%g %g %g %g]\n\n",
+            walk->fast_mps, p[SMALL], p[SMALL], p[MEDIUM], p[SMALL], p[MEDIUM], p[LARGE], p[MEDIUM],
+            p[LARGE], walk->fast_mps + 1, walk->fast_mps + 2);
     fprintf(out,
             "%% brake force, percent\n[Output1]\nName='brake_pct'\nRange=[0 100]\nNumMFs=4\n"
             "MF1='fairly_small':'trimf',[%g %g %g]\nMF2='moderate':'trimf',[%g %g %g]\n"
@@ -118,15 +158,21 @@ static double low_mps(int k)
     return 1 + 0.5 * k;
 }
 
-/* Impacts near the limit, and hard braking at 4 m/s, where 25 m/s3 is the most. */
+/* Impacts near the limit, and hard braking where 25 m/s3 is the most. */
 static double cost_of_standing(const struct image *image)
 {
-    struct figures four = lab_standing(image, 4, 120);
-    double cost = 12 * lab_standing(image, 6.4, 120).gap_short_m +
-                  4 * lab_standing(image, 6.6, 120).gap_short_m +
-                  2 * lab_standing(image, 6.8, 120).gap_short_m;
+    static const double weights[] = {12, 4, 2};
+    double cost = 0;
 
-    return cost + 0.5 * fmax(four.jerk_worst_mps3 - 24, 0) + 0.02 * four.jerk_mean_mps3;
+    for (int k = 0; k < 3; k++) {
+        cost += weights[k] * lab_standing(image, walk->hits_mps[k], 120).gap_short_m;
+    }
+    for (int k = 0; k < 2; k++) {
+        struct figures f = lab_standing(image, walk->smooth_mps[k], 120);
+
+        cost += 0.25 * fmax(f.jerk_worst_mps3 - 24, 0) + 0.01 * f.jerk_mean_mps3;
+    }
+    return cost;
 }
 
 /* Braking harder than the reference at low speed, stopping by STOP, stopping far away. */
@@ -179,13 +225,13 @@ static double cost_of(const struct image *image, const double *p)
 static void tidy(double *p)
 {
     for (int i = 0; i < PARAMETERS; i++) {
-        double low = parameter[i].low;
+        double low = walk->parameter[i].low;
 
         if (i != NEAR && i != SMALL && i != FAIRLY_SMALL) {
             low = fmax(low, p[i - 1] + (i > LARGE ? 3 : 0.3));
         }
-        p[i] = fmin(fmax(p[i], low), parameter[i].high);
-        p[i] = round(p[i] / parameter[i].grid) * parameter[i].grid;
+        p[i] = fmin(fmax(p[i], low), walk->parameter[i].high);
+        p[i] = round(p[i] / walk->parameter[i].grid) * walk->parameter[i].grid;
     }
 }
 
@@ -196,12 +242,13 @@ int lab_tune(const struct image *image, const struct image *reference, unsigned 
     double best[PARAMETERS], trial[PARAMETERS], best_cost, reach = 1;
     struct outfile out;
 
+    walk = &walks[image_is_tfluna(image)];
     random_seed(&random, seed);
     for (int k = 0; k < GENTLE_SPEEDS; k++) {
         gentle[k] = lab_standing(reference, low_mps(k), 24);
     }
     for (int i = 0; i < PARAMETERS; i++) {
-        best[i] = parameter[i].start;
+        best[i] = walk->parameter[i].start;
     }
     best_cost = cost_of(image, best);
     for (long round = 1; round <= rounds; round++) {
@@ -210,7 +257,7 @@ int lab_tune(const struct image *image, const struct image *reference, unsigned 
         memcpy(trial, best, sizeof trial);
         for (int i = 0; i < PARAMETERS; i++) {
             if (random_uniform(&random) < 0.4) {
-                trial[i] += random_normal(&random) * parameter[i].step * reach;
+                trial[i] += random_normal(&random) * walk->parameter[i].step * reach;
             }
         }
         tidy(trial);
