@@ -162,6 +162,24 @@ void brake_begin_anew(void)
 extern inline bool brake_must_stop(uint16_t dist_mm);
 #endif
 
+#ifdef BRAKE_RISE_PCT
+/* What the law wants, no faster than brake.h says. */
+/*@ requires wanted_pct <= 100 && demand_pct <= 100;
+    assigns \nothing;
+    ensures \result == \min(wanted_pct, \max(BRAKE_SUDDEN_PCT, demand_pct + BRAKE_RISE_PCT)); */
+static uint8_t rising(uint8_t wanted_pct)
+{
+    uint8_t most_pct = (uint8_t)(demand_pct + BRAKE_RISE_PCT);
+
+    if (most_pct < BRAKE_SUDDEN_PCT) {
+        most_pct = BRAKE_SUDDEN_PCT;
+    }
+    return wanted_pct > most_pct ? most_pct : wanted_pct;
+}
+#else
+#define rising(wanted_pct) (wanted_pct)
+#endif
+
 /* In FAULT nothing lowers the demand. */
 /*@ requires wanted_pct <= 100;
     assigns demand_pct;
@@ -206,7 +224,7 @@ static void demand_for_target(void)
     is_in_reach = true;
     if (fault_state != FAULT_LASTING) {
         law_step(target_worth, range_reading.dist_mm);
-        demand(law_answer.brake_pct);
+        demand(rising(law_answer.brake_pct));
     }
 }
 
@@ -283,7 +301,7 @@ void brake_step(uint8_t kind, uint16_t dist_mm)
                (uint8_t)(CLOSING_LAW.closing_mmps >> 8) >= BRAKE_APPROACH_MMPS / 256U) {
         /* An echo is missing, and the target has come nearer since the last one. Foreseen below
          * 0 mm, modulo 2^16, it is at the table's far end, where the law says least. */
-        raise(law_pct(closing_foreseen_mm, &CLOSING_LAW));
+        raise(rising(law_pct(closing_foreseen_mm, &CLOSING_LAW)));
     }
     settle();
 }

@@ -2,7 +2,7 @@
 # The brake. One image a law (law.h): `brake` is the published table, the others are there to compare
 # with. For each image: its table, how fistab makes that table, SDCC's flags, and the modules, the one
 # with main first, as SDCC's manual asks. Each carries a table, so that all start alike.
-IMAGES_OF_brake := brake tuned classic first none
+IMAGES_OF_brake := brake tuned brake_far classic first none
 
 # What each range sensor (SENSOR) takes the place of.
 BRAKE_FILES_hcsr04 := brake/closing brake/range mcu/echo mcu/uart
@@ -35,8 +35,9 @@ tuned_MODULES := $(BRAKE_MODULES) brake/law_tuned brake/cell brake/ease
 # For the lidar alone, whatever SENSOR says: its table goes as far as that sees.
 brake_far_SENSOR  := tfluna
 brake_far_TABLE   := tables/brake_far.fis
-brake_far_FISTAB   = --encoding=$(ENCODING) --grid=$(TUNED_GRID)
-brake_far_FLAGS   := -DSENSOR_tfluna -DESTIMATOR_smooth $(STOP_KNOBS)
+# Cells of 12.5 cm and 0.125 m/s, which cell.c finds by bytes.
+brake_far_FISTAB   = --encoding=$(ENCODING) --grid=60x72
+brake_far_FLAGS   := -DSENSOR_tfluna -DESTIMATOR_smooth -DBRAKE_RISE_PCT=3U $(STOP_KNOBS)
 brake_far_MODULES := $(call brake_modules,tfluna) brake/law_tuned brake/cell brake/ease
 
 classic_FLAGS := $(BRAKE_KNOBS)

@@ -56,7 +56,7 @@ uint8_t ease_pct(uint8_t table_pct, uint16_t dist_mm)
         } else if (hold_pct < EASE_HOLD_PCT) {
             hold_pct++;
 #if RANGE_IS_FAST
-            still_readings -= EASE_HOLD_READINGS - 1U;
+            still_readings = (uint8_t)(still_readings - (EASE_HOLD_READINGS - 1U));
 #endif
         }
     }

@@ -32,6 +32,27 @@ static void put_all(void)
     put(target_worth);
 }
 
+#if RANGE_IS_TRIGGERED
+#define take_raw take_u16
+#else
+#define FRAME_BYTES 9U
+
+/* The distance in the last good frame, after the bytes of one more. */
+static uint16_t take_raw(void)
+{
+    uint8_t left = FRAME_BYTES;
+
+    do {
+        RANGE_NEXT = take();
+        range_came++;
+    } while (--left != 0);
+    while ((uint8_t)(range_came - range_taken) >= FRAME_BYTES) {
+        put(range_take());
+    }
+    return range_raw();
+}
+#endif
+
 static void measure(void)
 {
     uint8_t kind, ticks;
@@ -40,7 +61,7 @@ static void measure(void)
     brake_expect(take());
     put_u16(closing_foreseen_mm);
     kind = take();
-    dist_mm = range_mm(take_u16());
+    dist_mm = range_mm(take_raw());
     put_u16(dist_mm);
     if (kind == RANGE_ECHO) {
         kind = range_kind(dist_mm);
@@ -90,12 +111,51 @@ static void draw_target(void)
     drive.left = 5 + chance(80);
 }
 
-static uint16_t ticks_of(double dist_mm)
+#if RANGE_IS_TRIGGERED
+static uint16_t raw_of(double dist_mm)
 {
     double ticks = dist_mm * 2.0 / SOUND_MMPS * (CLK_HZ / 12.0);
 
     return ticks < 0 ? 0 : ticks > 65535 ? 65535 : (uint16_t)ticks;
 }
+
+#define CLEAR_RAW 50000
+#define give_raw  give_u16
+#else
+static uint16_t raw_of(double dist_mm)
+{
+    return dist_mm < 0 ? 0 : (uint16_t)(dist_mm / 10);
+}
+
+#define CLEAR_RAW 0
+
+/* A frame of that distance; now and then it is weak, blinded, bad or out of step. */
+static void give_raw(uint16_t raw)
+{
+    uint8_t sum = 0x59 + 0x59;
+    uint16_t strength = chance(40) == 0 ? (chance(2) == 0 ? 65535 : 99) : 800;
+    uint8_t bytes[] = {0x59,
+                       0x59,
+                       (uint8_t)raw,
+                       (uint8_t)(raw >> 8),
+                       raw == CLEAR_RAW ? 0 : (uint8_t)strength,
+                       raw == CLEAR_RAW ? 0 : (uint8_t)(strength >> 8),
+                       0,
+                       8,
+                       0};
+
+    for (unsigned i = 2; i < FRAME_BYTES - 1U; i++) {
+        sum = (uint8_t)(sum + bytes[i]);
+    }
+    bytes[FRAME_BYTES - 1U] = chance(60) == 0 ? (uint8_t)chance(256) : sum;
+    if (chance(60) == 0) {
+        bytes[0] = (uint8_t)chance(256);
+    }
+    for (unsigned i = 0; i < FRAME_BYTES; i++) {
+        give(bytes[i]);
+    }
+}
+#endif
 
 static void draw_event(void)
 {
@@ -115,7 +175,7 @@ static void draw_event(void)
 static void draw_reading(uint8_t elapsed_cs)
 {
     uint8_t kind = RANGE_ECHO;
-    uint16_t ticks;
+    uint16_t raw;
 
     drive.place_mm -= drive.mmps * elapsed_cs / 100;
     if (drive.left-- == 0 || drive.place_mm < 0) {
@@ -124,31 +184,31 @@ static void draw_reading(uint8_t elapsed_cs)
     drive.still = chance(150) == 0 ? chance(60) : drive.still - (drive.still != 0);
     drive.clear = chance(150) == 0 ? chance(50) : drive.clear - (drive.clear != 0);
     if (drive.still == 0) {
-        ticks = ticks_of(drive.place_mm + (double)chance(21) - 10);
+        raw = raw_of(drive.place_mm + (double)chance(21) - 10);
     } else {
-        ticks = ticks_of(drive.place_mm / 1000 * 1000);
+        raw = raw_of(drive.place_mm / 1000 * 1000);
     }
     if (drive.clear != 0) {
-        ticks = 50000;
+        raw = CLEAR_RAW;
     }
     switch (chance(40)) {
     case 0:
         kind = (uint8_t)(RANGE_NOT_RISEN + chance(2));
         break;
     case 1:
-        ticks = draw_u16(0, 65535);
+        raw = draw_u16(0, 65535);
         break;
     case 2:
-        ticks = ticks_of(995 + chance(10));
+        raw = raw_of(995 + chance(10));
         break;
     case 3:
-        ticks = ticks_of(1290 + chance(20));
+        raw = raw_of(1290 + chance(20));
         break;
     default:
         break;
     }
     give(kind);
-    give_u16(ticks);
+    give_raw(raw);
 }
 
 void draw(void)
