@@ -10,7 +10,7 @@ include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/
 # drives of each board, law and controller, and those that last for minutes. s51 drives the brake on the
 # default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
-BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(LOOP_FOLDERS))
+BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(filter $(ALL_IMAGES),$(LOOP_FOLDERS)))
 OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) long,$(LOOP_FOLDERS))
 OTHER_BOARDS := $(filter-out $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
 ON_DEFAULT   := $(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
