@@ -97,7 +97,8 @@ void closing_take_second(uint16_t dist_mm, uint8_t span_cs)
     smooth_4mm = (uint16_t)(dist_mm << 2);
     smooth_2mmps = difference_2mmps();
     show(&closing_smooth, smooth_2mmps);
-    show(&closing_difference, smooth_2mmps);
+    closing_difference.closing_mmps = closing_smooth.closing_mmps;
+    closing_difference.opening_mmps = closing_smooth.opening_mmps;
 }
 
 /* So long at most is foreseen. */

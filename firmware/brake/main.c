@@ -125,9 +125,6 @@ static void control_step(uint8_t echo)
         dist_mm = 0;
         kind = echo == HAL_RANGE_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
     }
-#if !RANGE_IS_TRIGGERED
-    brake_expect(hal_range_elapsed_cs());
-#endif
     brake_step(kind, dist_mm);
     apply();
     seq++; /* counted as soon as the duty is set: where benches look */
@@ -178,6 +175,11 @@ static void conclude(uint8_t echo)
     brake_finish();
     apply();
     report();
+#if !RANGE_IS_TRIGGERED
+    if (echo == HAL_RANGE_DONE) {
+        brake_expect(RANGE_PERIOD_CS);
+    }
+#endif
 }
 
 /* Between the loop's parts, so that an echo waits for one of them at most. */
@@ -378,6 +380,12 @@ void main(void)
         } else {
             check();
             poll();
+#if !RANGE_IS_TRIGGERED
+            if (hal_range_is_late() && is_measuring) {
+                brake_expect(RANGE_PERIOD_CS);
+                seal();
+            }
+#endif
             if (!hal_code_is_good()) {
                 brake_fail(BRAKE_FAULT_TABLE);
                 seal();

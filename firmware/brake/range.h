@@ -73,8 +73,8 @@ extern volatile uint8_t range_came;
 /* How many of them range_take has taken. */
 extern uint8_t range_taken;
 
-/* Looks at the oldest nine of them. True: they are a good frame, which it takes. Else it takes one
- * at most: ask again. Up to 250 mc. */
+/* Looks at one more of them. True: it ended a good frame. Ask at least as often as bytes come. Up to
+ * 110 mc. */
 bool range_take(void);
 
 /* Drops what came so far. */

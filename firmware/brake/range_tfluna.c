@@ -3,8 +3,8 @@
  *
  *     59 59   distance in cm   strength   temperature in 1/8 degree + 2048   low byte of their sum
  *
- * Nine bytes that are no frame lose only the first of them, so whatever came before a frame does
- * not hide it. A good frame is taken as a whole, so 59 59 within it does not begin another. */
+ * Of bytes that are no frame the oldest one is dropped, so whatever came before a frame does not hide
+ * it. A good frame is taken as a whole, so 59 59 within it does not begin another. */
 #include "range.h"
 
 #define HEAD        0x59U
@@ -14,44 +14,49 @@ volatile __idata uint8_t range_ring[RANGE_RING_BYTES];
 volatile uint8_t range_came;
 uint8_t range_taken;
 
+/* The oldest bytes in the ring, up to eight: so many were looked at, and that is their sum. */
+#define SUMMED_BYTES (FRAME_BYTES - 1U)
+static uint8_t looked_at, sum;
+
 static __idata uint16_t dist_cm, strength; /* of the last good frame */
 
-/* The oldest bytes in the ring. */
-#define WAITING         ((uint8_t)(range_came - range_taken))
 #define BYTE(offset)    range_ring[(uint8_t)(range_taken + (offset)) & (RANGE_RING_BYTES - 1U)]
 #define WORD_AT(offset) ((uint16_t)((uint16_t)BYTE((offset) + 1U) << 8 | BYTE(offset)))
 
-void range_restart(void)
+/* So many of the oldest bytes are done with. */
+static void drop(uint8_t bytes)
 {
-    range_taken = range_came;
+    range_taken += bytes;
+    looked_at = 0;
+    sum = 0;
 }
 
-/* Whether the oldest nine bytes are a frame. */
-static bool is_frame(void)
+void range_restart(void)
 {
-    uint8_t sum = 0, offset;
-
-    if (BYTE(0) != HEAD || BYTE(1) != HEAD) {
-        return false;
-    }
-    for (offset = 0; offset != FRAME_BYTES - 1U; offset++) { /* rounds: 8 */
-        sum += BYTE(offset);
-    }
-    return sum == BYTE(FRAME_BYTES - 1U);
+    drop((uint8_t)(range_came - range_taken));
 }
 
 bool range_take(void)
 {
-    if (WAITING < FRAME_BYTES) {
+    uint8_t byte;
+
+    if ((uint8_t)(range_came - range_taken) <= looked_at) {
         return false;
     }
-    if (!is_frame()) {
+    byte = BYTE(looked_at);
+    if (looked_at < SUMMED_BYTES) {
+        looked_at++;
+        sum += byte;
+        return false;
+    }
+    if (byte != sum || BYTE(0) != HEAD || BYTE(1U) != HEAD) {
+        sum += (uint8_t)(byte - BYTE(0));
         range_taken++;
         return false;
     }
     dist_cm = WORD_AT(2U);
     strength = WORD_AT(4U);
-    range_taken += FRAME_BYTES;
+    drop(FRAME_BYTES);
     return true;
 }
 

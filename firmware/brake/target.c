@@ -33,6 +33,7 @@ static uint16_t echo_mm; /* this reading */
 /* Since the target's reading differed from the one before: 0 if it may have come to rest, else its
  * speed then, 256 mm/s; and how far it should have come at that speed, 2.56 mm, up to 255. */
 static __idata uint8_t run_speed, run_way;
+static __bit has_changed; /* the last reading differed; run_speed is yet to be taken */
 #endif
 
 /* Holds from target_init on. */
@@ -48,8 +49,7 @@ static void drop(void)
     target_worth = TARGET_NONE;
     stuck_readings = 0;
 #if RANGE_IS_FAST
-    run_speed = 0;
-    run_way = 0;
+    has_changed = true;
 #endif
     closing_restart();
 }
@@ -106,8 +106,17 @@ static bool may_not_rest(void)
 /* Whether the target must have left the place of its last reading by now. */
 static bool has_come_far(uint8_t elapsed_cs)
 {
-    uint16_t way = (uint16_t)(mul_u8(run_speed, elapsed_cs) + run_way);
+    uint16_t way;
 
+    if (has_changed) {
+        has_changed = false;
+        run_way = 0;
+        run_speed = 0;
+        if (may_not_rest()) {
+            run_speed = HIGH(closing_smooth);
+        }
+    }
+    way = (uint16_t)(mul_u8(run_speed, elapsed_cs) + run_way);
     run_way = way > 255U ? 255U : (uint8_t)way;
     return run_way >= TARGET_STUCK_WAY;
 }
@@ -217,8 +226,7 @@ static bool is_stuck(void)
             target_worth = TARGET_NONE;
         }
 #if RANGE_IS_FAST
-        run_speed = may_not_rest() ? HIGH(closing_smooth) : 0;
-        run_way = 0;
+        has_changed = true;
 #endif
         return false;
     }
@@ -265,10 +273,6 @@ uint8_t target_echo(uint16_t dist_mm)
         was_near = false;
     } else if (worth >= TARGET_NEW) {
         closing_take_second(echo_mm, since_cs);
-#if RANGE_IS_FAST
-        run_speed = 0;
-        run_way = 0;
-#endif
     } else {
         closing_restart();
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The TF-Luna lidar at 9600 baud: what is its own. range.h includes the header of the image's
- * sensor. Facts are from the maker's manual, SJ-PM-TF-Luna A05, sections 5.4 and 5.5, appendix I. */
+ * sensor. Facts are from the maker's manual, SJ-PM-TF-Luna A05: sections 5.4 and 5.5, appendix I.
+ */
 #ifndef FUZZY51_TFLUNA_H
 #define FUZZY51_TFLUNA_H
 

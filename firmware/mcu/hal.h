@@ -21,16 +21,17 @@ uint8_t hal_ticks(void);
  * itself forgets what it said before. Then ask hal_range until it says DONE: a reading is there. If
  * that takes RANGE_WAIT_CS (range.h), its answer is the fault: the echo never rose, or never fell.
  * range_mm makes a distance of the reading, range_kind says its kind. Its time is the one from
- * trigger to trigger, or, of a sensor that measures by itself, hal_range_elapsed_cs. */
+ * trigger to trigger, or, of a sensor that measures by itself, counted by hal_range_is_late. */
 enum hal_range { HAL_RANGE_NOT_RISEN, HAL_RANGE_NOT_FALLEN, HAL_RANGE_DONE };
 void hal_trigger(void);       /* 40 mc; the pulse is at least 10 us long */
 uint8_t hal_range(void);      /* enum hal_range */
 uint16_t hal_range_raw(void); /* for range_mm: the echo's machine cycles, or cm; valid after DONE */
 bool hal_range_is_busy(void); /* the sensor's line is not at rest; the self-test looks at it */
 
-/* Only of a sensor that measures by itself: the time since the last call, 0..6 hundredths of a
- * second, to the nearest one. Call it at each reading, and when none came for RANGE_WAIT_CS. 60 mc. */
-uint8_t hal_range_elapsed_cs(void);
+/* Only of a sensor that measures by itself, each 10 ms: whether a reading that was due has not come.
+ * True once, 15 ms after the last reading, and once more for each 10 ms from then on. Ask it in each
+ * round. 25 mc. */
+bool hal_range_is_late(void);
 
 /* Actuators. The brake takes 0..100 %; more counts as 100. The new duty holds from the first PWM
  * period on that begins at least 0.3 ms after the call. */
@@ -63,7 +64,8 @@ void hal_registers_restore(void);
  * generic8052 has no watchdog. */
 void hal_watchdog_feed(void);
 
-/* What led to this start. WATCHDOG is hal_restart, too, and a program that ran wild to address 0. */
+/* What led to this start. WATCHDOG is hal_restart, too, and a program that ran wild to address 0.
+ */
 enum hal_reset { HAL_RESET_POWER, HAL_RESET_WATCHDOG, HAL_RESET_PIN };
 uint8_t hal_reset_cause(void); /* enum hal_reset */
 

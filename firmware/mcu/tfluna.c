@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The TF-Luna on RXD: its frames come by interrupt, timer 0 tells the time between them, and what
- * TXD sends goes by the same interrupt. It takes the place of echo.c and uart.c. A control step takes
- * longer than a byte on the line, so bytes wait in a ring. The PWM's interrupt has priority over this
- * one. There are no commands: the line is the sensor's. */
+/* The TF-Luna on RXD: its frames come by interrupt, timer 0 tells when one is missing, and what TXD
+ * sends goes by the same interrupt. It takes the place of echo.c and uart.c. A control step takes
+ * longer than a byte on the line, so bytes wait in a ring. The PWM's interrupt has priority over
+ * this one. There are no commands: the line is the sensor's. */
 #include "sfr.h"
 #include "range.h"
 
-/* Timer 0's high byte counts 256 machine cycles. It must not come round in RANGE_WAIT_CS, one late
- * tick of the main loop and the half that is added below. */
+/* Timer 0's high byte counts 256 machine cycles: the 10 ms from one reading to the next, and the
+ * 15 ms after which one is missing. */
 #define UNITS_PER_CS ((uint8_t)((CYCLES_PER_S / 100U + 128U) / 256U))
+#define LATE_UNITS   (UNITS_PER_CS + UNITS_PER_CS / 2U)
 #if CLK_HZ > 12000000
-#error SENSOR=tfluna takes CLK_HZ of at most 12 MHz, for the time between two readings
+#error SENSOR=tfluna takes CLK_HZ of at most 12 MHz: timer 0 must not come round in 25 ms
 #endif
 
 static volatile __bit is_sent;
@@ -30,7 +31,7 @@ void tfluna_interrupt(void) __interrupt(4)
     }
 }
 
-static uint8_t last; /* timer 0 at the last call of hal_range_elapsed_cs */
+static uint8_t late_at; /* a reading is missing when timer 0 comes there */
 
 void sensor_init(void)
 {
@@ -48,7 +49,11 @@ void hal_trigger(void)
 
 uint8_t hal_range(void)
 {
-    return range_take() ? HAL_RANGE_DONE : HAL_RANGE_NOT_RISEN;
+    if (!range_take()) {
+        return HAL_RANGE_NOT_RISEN;
+    }
+    late_at = TH0 + LATE_UNITS;
+    return HAL_RANGE_DONE;
 }
 
 uint16_t hal_range_raw(void)
@@ -61,16 +66,13 @@ bool hal_range_is_busy(void)
     return !RXD;
 }
 
-uint8_t hal_range_elapsed_cs(void)
+bool hal_range_is_late(void)
 {
-    uint8_t now = TH0, units = (uint8_t)(now - last + UNITS_PER_CS / 2U), time_cs = 0;
-
-    last = now;
-    while (units >= UNITS_PER_CS) { /* rounds: 13 */
-        units -= UNITS_PER_CS;
-        time_cs++;
+    if ((uint8_t)(TH0 - late_at) >= 128U) { /* it is yet to come */
+        return false;
     }
-    return time_cs;
+    late_at += UNITS_PER_CS;
+    return true;
 }
 
 char hal_uart_get(void)
