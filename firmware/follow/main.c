@@ -4,9 +4,6 @@
 #include "frames.h"
 #include "follow.h"
 
-#ifdef FOLLOW_AS_PUBLISHED
-#else
-#endif
 static const char __code HEADER[] =
     "seq,ms,gap_mm,own_mmps,lead_mmps,command,change,brake_pct,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%u,%u,%u,%s,%s,%u,%s,%u\r\n";
@@ -14,11 +11,15 @@ static const char __code *const __code STATES[] = {"WAITING", "CONTROL", "FAULT"
 static const char __code *const __code COMMANDS[] = {"-1", "-0.5", "0", "0.5", "1"};
 
 /* 100 ms */
-const struct frames_app __code app = {FRAME_FOLLOW, FOLLOW_PAYLOAD_BYTES, 10, HEADER, LINE};
+const struct frames_app __code app = {FRAME_FOLLOW, FOLLOW_PAYLOAD_BYTES, 0, 10, HEADER, LINE};
 
 void app_init(void)
 {
     follow_init();
+}
+
+void app_item(void)
+{
 }
 
 bool app_read(void)

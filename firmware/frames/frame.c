@@ -8,12 +8,18 @@
 #define COUNT_MASK  0x0FU
 #define COUNT_NONE  0xFFU
 #define GROUP_BYTES 7
+#define TAIL_BYTES  3 /* number of the measurement, check sum */
+#define ITEMS_MASK  0x0FU
+#define ITEMS_OPEN  0xFFU /* items_left until the byte that says it */
 
 __idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
 static __idata uint8_t start_and_kind; /* what the start byte must be, without its count */
-static __idata uint8_t body_bytes;     /* payload, number of the measurement, check sum */
-static uint8_t filled;                 /* body bytes received so far */
+static __idata uint8_t fixed_bytes;    /* of the payload, before its items */
+static __idata uint8_t item_bytes;     /* of each item; 0: the payload has none */
+static __idata uint8_t items_left;     /* still to come in this frame */
+static __idata uint8_t part_end;       /* in frame_body: where the part that comes now will end */
+static uint8_t filled;                 /* bytes in frame_body */
 static uint8_t group_left; /* bytes still to come in this group; 0: the next byte is top bits */
 static uint8_t top_bits;
 static __idata uint8_t count;       /* of the frame that is being received */
@@ -28,16 +34,23 @@ static __idata uint16_t bad; /* frames */
 
 /* Holds from frame_init on. */
 /*@ predicate frame_is_valid =
-        4 <= body_bytes <= FRAME_BODY_MAX_BYTES && filled < body_bytes &&
-        group_left <= GROUP_BYTES; */
+        1 <= fixed_bytes <= FRAME_BODY_MAX_BYTES - TAIL_BYTES &&
+        item_bytes <= FRAME_BODY_MAX_BYTES - fixed_bytes &&
+        (items_left != 0 ==> item_bytes != 0) &&
+        (items_left <= ITEMS_MASK || items_left == ITEMS_OPEN) &&
+        (items_left == 0 ==> part_end == fixed_bytes + TAIL_BYTES) &&
+        filled < part_end <= FRAME_BODY_MAX_BYTES && group_left <= GROUP_BYTES; */
 
-/*@ assigns start_and_kind, body_bytes, count_last, inside, filled, group_left, bad, asked,
-            unanswered, slow;
+/*@ assigns start_and_kind, fixed_bytes, item_bytes, items_left, part_end, count_last, inside,
+            filled, group_left, bad, asked, unanswered, slow;
     ensures frame_is_valid && !inside && bad == 0; */
-void frame_init(uint8_t kind, uint8_t payload_bytes)
+void frame_init(uint8_t kind, uint8_t payload_bytes, uint8_t bytes_of_item)
 {
     start_and_kind = (uint8_t)(START_BIT | (kind << 4));
-    body_bytes = (uint8_t)(payload_bytes + 3);
+    fixed_bytes = payload_bytes;
+    item_bytes = bytes_of_item;
+    items_left = 0;
+    part_end = (uint8_t)(payload_bytes + TAIL_BYTES);
     count_last = COUNT_NONE;
     inside = false;
     filled = 0;
@@ -105,9 +118,22 @@ static bool is_fresh(uint8_t number)
     return asked != 0 && more != 0 && more <= (uint8_t)(asked + 1U);
 }
 
+/* The next part of the body comes: an item, or the tail. */
+/*@ requires 1 <= fixed_bytes <= FRAME_BODY_MAX_BYTES - TAIL_BYTES;
+    requires item_bytes <= FRAME_BODY_MAX_BYTES - fixed_bytes;
+    requires items_left != 0 ==> item_bytes != 0;
+    assigns filled, part_end;
+    ensures filled == fixed_bytes && filled < part_end <= FRAME_BODY_MAX_BYTES;
+    ensures items_left == 0 ==> part_end == fixed_bytes + TAIL_BYTES; */
+static void expect_part(void)
+{
+    filled = fixed_bytes;
+    part_end = (uint8_t)(fixed_bytes + (items_left != 0 ? item_bytes : TAIL_BYTES));
+}
+
 /* A start byte. */
 /*@ requires frame_is_valid;
-    assigns inside, count, filled, group_left, crc_high, crc_low, bad;
+    assigns inside, count, filled, part_end, items_left, group_left, crc_high, crc_low, bad;
     ensures frame_is_valid;
     ensures \result == FRAME_NONE || \result == FRAME_BAD; */
 static uint8_t begin(uint8_t byte)
@@ -117,6 +143,10 @@ static uint8_t begin(uint8_t byte)
     inside = (byte & KIND_MASK) == start_and_kind;
     count = byte & COUNT_MASK;
     filled = 0;
+    if (item_bytes != 0) {
+        items_left = ITEMS_OPEN;
+        part_end = fixed_bytes;
+    }
     group_left = 0;
     crc_high = (uint8_t)(CRC16_START >> 8);
     crc_low = (uint8_t)CRC16_START;
@@ -129,9 +159,11 @@ static uint8_t begin(uint8_t byte)
 }
 
 /*@ requires frame_is_valid;
-    assigns inside, count, count_last, filled, group_left, top_bits, crc_high, crc_low, bad,
-            number_last, asked, unanswered, slow, frame_body[0 .. FRAME_BODY_MAX_BYTES - 1];
+    assigns inside, count, count_last, filled, part_end, items_left, group_left, top_bits,
+            crc_high, crc_low, bad, number_last, asked, unanswered, slow,
+            frame_body[0 .. FRAME_BODY_MAX_BYTES - 1];
     ensures frame_is_valid;
+    ensures \result == FRAME_ITEM ==> item_bytes != 0 && items_left < ITEMS_MASK;
     ensures crc_protects: \result == FRAME_GOOD ==> crc_high == 0 && crc_low == 0 && top_bits == 0;
     ensures count_protects: \result == FRAME_GOOD ==>
                 count != \old(count_last) && count_last == count;
@@ -161,14 +193,24 @@ uint8_t frame_push(uint8_t byte)
     frame_body[filled] = byte;
     filled++;
     CRC16_ADD(crc_high, crc_low, byte);
-    if (filled < body_bytes) {
+    if (filled < part_end) {
         return FRAME_NONE;
+    }
+    if (items_left == ITEMS_OPEN) {
+        items_left = (uint8_t)(frame_body[(uint8_t)(fixed_bytes - 1U)] & ITEMS_MASK);
+        expect_part();
+        return FRAME_NONE;
+    }
+    if (items_left != 0) {
+        items_left--;
+        expect_part();
+        return FRAME_ITEM;
     }
 
     inside = false;
     filled = 0;
     note_answer();
-    number = frame_body[(uint8_t)(body_bytes - 3U)];
+    number = frame_body[(uint8_t)(part_end - TAIL_BYTES)];
     /* A right check sum, added to itself, gives 0. If top bits are left, an unused one was 1. */
     if ((crc_high | crc_low | top_bits) != 0 || count == count_last || !is_fresh(number) ||
         slow >= FRAME_SLOW_MAX) {
@@ -179,6 +221,11 @@ uint8_t frame_push(uint8_t byte)
     number_last = number;
     asked = 0;
     return FRAME_GOOD;
+}
+
+uint8_t frame_items_left(void)
+{
+    return items_left;
 }
 
 uint16_t frame_bad_count(void)

@@ -11,6 +11,10 @@
  *             the first byte's, bit 1: the second's, and so on; unused bits are 0). Then each byte
  *             follows without its top bit.
  *
+ * A payload can end in items of equal length, 0 to 15 of them, such as the targets of a radar. Then
+ * the low four bits of the last byte before them are their number. Each item is read as soon as it
+ * is complete, so one place is enough for all; what it says counts only when the frame is good.
+ *
  * So n payload bytes always take 1 + (n + 3) + ceil((n + 3) / 7) bytes on the line; nothing is
  * escaped. A receiver that starts in the middle of a frame, or that loses or gains a byte, is in
  * step again at the next start byte: a frame that is cut short does not spoil the next one. Values
@@ -55,33 +59,41 @@ enum frame_kind {
 
 enum frame_result {
     FRAME_NONE, /* the frame is not complete yet */
+    FRAME_ITEM, /* an item of a frame is complete: read it before the next frame_push */
     FRAME_GOOD, /* a complete frame: read its payload before the next frame_push */
     FRAME_BAD,  /* a frame was lost: wrong check sum, cut short, or not the one asked for */
 };
 
-#define FRAME_PAYLOAD_MAX_BYTES 13
-#define FRAME_BODY_MAX_BYTES    (FRAME_PAYLOAD_MAX_BYTES + 3)
-#define FRAME_ASKED_ANY         64
-#define FRAME_SLOW_MAX          8
+#define FRAME_BODY_MAX_BYTES 13
+#define FRAME_ASKED_ANY      64
+#define FRAME_SLOW_MAX       8
 
-/* The bytes of one frame on the line, for a payload of `bytes`. */
+/* The bytes of one frame on the line, for a payload of `bytes` with all its items. */
 #define FRAME_LINE_BYTES(bytes) (1 + ((bytes) + 3) + ((bytes) + 3 + 6) / 7)
 
-/* The body of the frame that is being received. After FRAME_GOOD it begins with the payload. */
+/* Of the frame that is being received: the payload without its items, then the item that came last,
+ * or the end of the body. */
 extern __idata uint8_t frame_body[FRAME_BODY_MAX_BYTES];
 
-/* From now on receives frames of `kind` (1..7) with a payload of `payload_bytes`. Forgets all that
- * was received before. */
-/*@ requires 1 <= kind <= 7 && 1 <= payload_bytes <= FRAME_PAYLOAD_MAX_BYTES; */
-void frame_init(uint8_t kind, uint8_t payload_bytes);
+/* From now on receives frames of `kind` (1..7) with a payload of `payload_bytes` (1 to
+ * FRAME_BODY_MAX_BYTES - 3) and then items of `bytes_of_item` each (at most FRAME_BODY_MAX_BYTES -
+ * payload_bytes; 0: without items). Forgets all that was received before. */
+/*@ requires 1 <= kind <= 7 && 1 <= payload_bytes <= FRAME_BODY_MAX_BYTES - 3;
+    requires bytes_of_item <= FRAME_BODY_MAX_BYTES - payload_bytes; */
+void frame_init(uint8_t kind, uint8_t payload_bytes, uint8_t bytes_of_item);
 
 /* Says that a trigger asks for a frame now. Returns whether it dropped a frame that was not
  * complete, which counts as bad. */
 bool frame_ask(void);
 
 /* Takes one byte from the line and returns enum frame_result. Less than 200 mc. */
-/*@ ensures \result == FRAME_NONE || \result == FRAME_GOOD || \result == FRAME_BAD; */
+/*@ ensures \result == FRAME_NONE || \result == FRAME_ITEM || \result == FRAME_GOOD ||
+            \result == FRAME_BAD; */
 uint8_t frame_push(uint8_t byte);
+
+/* After FRAME_ITEM: returns how many items of this frame are still to come. */
+/*@ assigns \nothing; */
+uint8_t frame_items_left(void);
 
 /* Says that the last good frame has an impossible value: it counts as a bad one. */
 void frame_refuse(void);

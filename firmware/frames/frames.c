@@ -58,7 +58,7 @@ static void finish_selftest(void)
     is_testing = false;
     until_trigger = SETTLE_MS / HAL_TICK_MS;
     until_report = 1;
-    frame_init(app.kind, app.payload_bytes);
+    frame_init(app.kind, app.payload_bytes, app.item_bytes);
     link_init(is_restart ? LINK_LOST : LINK_WAITING, now_ms);
     app_init();
     if (fault != FRAMES_FAULT_NONE) {
@@ -112,6 +112,8 @@ static void listen(void)
     }
     if (result == FRAME_GOOD) {
         take_frame();
+    } else if (result == FRAME_ITEM) {
+        app_item();
     } else if (result == FRAME_BAD) {
         link_bad();
     }

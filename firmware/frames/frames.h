@@ -31,8 +31,9 @@ enum frames_fault {
 };
 
 struct frames_app {
-    uint8_t kind; /* enum frame_kind */
-    uint8_t payload_bytes;
+    uint8_t kind;              /* enum frame_kind */
+    uint8_t payload_bytes;     /* without its items */
+    uint8_t item_bytes;        /* of each item; 0: the payload has none */
     uint8_t period_ticks;      /* from one trigger to the next, in HAL_TICK_MS */
     const char __code *header; /* the first line of telemetry: "seq,ms,...,state,fault\r\n" */
     const char __code *line;   /* the format of the other lines: "%u,%o%m,...,%s,%u\r\n" */
@@ -41,6 +42,10 @@ extern const struct frames_app __code app;
 
 /* Sets the state to start in. Called once, after the self-test. */
 void app_init(void);
+
+/* Reads an item of a frame that is still being received, and may turn out to be bad. Called only if
+ * item_bytes is not 0. */
+void app_item(void);
 
 /* Reads the payload of a good frame. Returns false if a value is out of range; then nothing was
  * taken from the frame. */

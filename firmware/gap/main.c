@@ -9,11 +9,15 @@ static const char __code LINE[] = "%u,%o%m,%u,%u,%s%u,%u,%s,%u\r\n";
 static const char __code *const __code STATES[] = {"WAITING", "CONTROL", "EMERGENCY", "FAULT"};
 
 /* 50 ms */
-const struct frames_app __code app = {FRAME_GAP, GAP_PAYLOAD_BYTES, 5, HEADER, LINE};
+const struct frames_app __code app = {FRAME_GAP, GAP_PAYLOAD_BYTES, 0, 5, HEADER, LINE};
 
 void app_init(void)
 {
     gap_init();
+}
+
+void app_item(void)
+{
 }
 
 bool app_read(void)

@@ -8,7 +8,7 @@ static const char __code HEADER[] =
     "seq,ms,x_512,y_512,heading,dist_mm,weight,servo_us,state,fault\r\n";
 static const char __code LINE[] = "%u,%o%m,%s%u,%u,%u,%u,%u,%u,%s,%u\r\n";
 static const char __code *const
-    __code STATES[] = {"WAITING", "CHECKING", "DRIVING", "ARRIVED", "DEAD_ZONE", "FAULT"};
+    __code STATES[] = {"WAITING", "CHECKING", "DRIVING", "ARRIVED", "DEAD_ZONE", "READY", "FAULT"};
 
 /* Said once, in the place of a line of telemetry. */
 static const char __code WAY_OUT[] = "# dead zone: drive forward, then start again\r\n";
@@ -17,11 +17,15 @@ static bool is_way_out_said;
 #define LAMP_DEAD_ZONE 5U /* blinks; 2 to 4 are the self-test's */
 
 /* 20 ms, as the servo. */
-const struct frames_app __code app = {FRAME_PARK, PARK_PAYLOAD_BYTES, 2, HEADER, LINE};
+const struct frames_app __code app = {FRAME_PARK, PARK_PAYLOAD_BYTES, 0, 2, HEADER, LINE};
 
 void app_init(void)
 {
     park_init();
+}
+
+void app_item(void)
+{
 }
 
 bool app_read(void)
@@ -73,6 +77,8 @@ uint8_t app_lamp(void)
         return LAMP_FLICKER;
     case PARK_DEAD_ZONE:
         return LAMP_DEAD_ZONE;
+    case PARK_READY:
+        return LAMP_ON;
     default:
         return LAMP_OFF;
     }

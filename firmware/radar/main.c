@@ -10,11 +10,17 @@ static const char __code LINE[] = "%u,%o%m,%u,%s%u,%u,%u,%u,%u,%s,%u\r\n";
 static const char __code *const __code STATES[] = {"DRIVER", "HOLDING", "BRAKING", "FAULT"};
 
 /* 100 ms, as the published system. */
-const struct frames_app __code app = {FRAME_RADAR, RADAR_PAYLOAD_BYTES, 10, HEADER, LINE};
+const struct frames_app
+    __code app = {FRAME_RADAR, RADAR_PAYLOAD_BYTES, RADAR_TARGET_BYTES, 10, HEADER, LINE};
 
 void app_init(void)
 {
     radar_init();
+}
+
+void app_item(void)
+{
+    radar_read_target();
 }
 
 bool app_read(void)

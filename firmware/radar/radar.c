@@ -12,7 +12,6 @@
 #error "radar needs a table of 13 x 13 cells: fistab table --grid=13x13"
 #endif
 
-#define FLAGS_KNOWN       (RADAR_TARGET | RADAR_SIGNED)
 #define GATE_RANGE_MAX_CM 10000U
 #define CLOSING_MAX_DKMH  600
 #define FRAMES_LESS       2 /* frames in a row that ask for less, until there is less */
@@ -21,6 +20,12 @@
 #define BRAKE_FULL_PCT    100
 
 __idata struct radar radar;
+
+/* The nearest target in the own lane, of the frame that is being received. */
+#define NONE_CM UINT16_MAX
+static __idata uint16_t nearest_cm;
+static __idata int16_t nearest_dkmh;
+static bool is_impossible; /* one of its targets is */
 
 static __idata uint8_t frames_less;    /* in a row that ask for less than the present state */
 static __idata uint8_t frames_closing; /* in a row with a closing target, to RADAR_CLOSING_FRAMES */
@@ -35,11 +40,13 @@ static __idata bool is_approach;
         asked_pct <= BRAKE_FULL_PCT && (radar.state == RADAR_BRAKING ==> is_approach) &&
         (radar.state <= RADAR_HOLDING ==> radar.brake_pct == 0); */
 
+/*@ predicate radar_nearest = -4593 <= nearest_dkmh <= 4593; */
+
 /*@ assigns frames_less, frames_closing, asked_pct, is_approach;
     ensures radar_counts; */
 void radar_init(void)
 {
-    radar.flags = 0;
+    radar.target = false;
     radar.brake_pct = 0;
     radar.state = RADAR_DRIVER;
     frames_less = 0;
@@ -71,35 +78,66 @@ uint8_t radar_col(uint16_t range_cm)
     return (uint8_t)(mul_hi_u16((uint16_t)(range_cm * 3U + 1250U), 26844U) >> 10);
 }
 
+/* Whether the own car's speed and curvature can be. */
+/*@ assigns \nothing;
+    ensures \result <==> own_dkmh <= 2500 && curvature_upm != -32768; */
+static bool is_own_car_possible(uint16_t own_dkmh, int16_t curvature_upm)
+{
+    return own_dkmh <= SAFE_SPEED_MAX_DKMH && curvature_upm != INT16_MIN;
+}
+
+/*@ assigns nearest_cm, nearest_dkmh, is_impossible;
+    ensures \old(radar_nearest) ==> radar_nearest; */
+void radar_read_target(void)
+{
+    int32_t up_hz = frame_i24(RADAR_PAYLOAD_BYTES);
+    int32_t down_hz = frame_i24(RADAR_PAYLOAD_BYTES + 3);
+    int16_t azimuth = (int16_t)frame_u16(RADAR_PAYLOAD_BYTES + 6);
+    uint16_t own_dkmh = frame_u16(0);
+    int16_t curvature_upm = (int16_t)frame_u16(2);
+    bool has_sign = (frame_body[4] & RADAR_SIGNED) != 0;
+    uint16_t range_cm;
+
+    if ((uint8_t)(frame_items_left() + 1U) == (frame_body[4] & RADAR_TARGETS_MASK)) {
+        nearest_cm = NONE_CM;
+        is_impossible = false;
+    }
+    if (azimuth == RADAR_NO_TARGET || is_impossible ||
+        !is_own_car_possible(own_dkmh, curvature_upm)) {
+        return;
+    }
+    if (azimuth < -LANE_AZIMUTH_MAX_TURN16 || azimuth > LANE_AZIMUTH_MAX_TURN16 ||
+        !fmcw_pair_is_possible(up_hz, down_hz) ||
+        (!has_sign && (up_hz < 0 || down_hz < 0 || fmcw_sign_is_open(up_hz, down_hz, own_dkmh)))) {
+        is_impossible = true;
+        return;
+    }
+    range_cm = fmcw_range_cm(up_hz, down_hz);
+    if (range_cm < nearest_cm && lane_is_own(range_cm, azimuth, curvature_upm)) {
+        nearest_cm = range_cm;
+        nearest_dkmh = fmcw_closing_dkmh(up_hz, down_hz);
+    }
+}
+
+/*@ requires radar_nearest; */
 bool radar_read(void)
 {
-    int32_t up_hz = frame_i24(0);
-    int32_t down_hz = frame_i24(3);
-    int16_t azimuth = (int16_t)frame_u16(6);
-    uint16_t own_dkmh = frame_u16(8);
-    int16_t curvature_upm = (int16_t)frame_u16(10);
-    uint8_t flags = frame_body[12];
+    uint8_t targets = frame_body[4] & (uint8_t)~RADAR_SIGNED;
+    uint16_t own_dkmh = frame_u16(0);
 
-    if ((flags & (uint8_t)~FLAGS_KNOWN) != 0 || own_dkmh > SAFE_SPEED_MAX_DKMH ||
-        curvature_upm == INT16_MIN) {
+    if (targets > RADAR_TARGETS_MAX || !is_own_car_possible(own_dkmh, (int16_t)frame_u16(2))) {
         return false;
     }
-    if (flags & RADAR_TARGET) {
-        if (azimuth < -LANE_AZIMUTH_MAX_TURN16 || azimuth > LANE_AZIMUTH_MAX_TURN16 ||
-            !fmcw_pair_is_possible(up_hz, down_hz)) {
-            return false;
-        }
-        if (!(flags & RADAR_SIGNED) &&
-            (up_hz < 0 || down_hz < 0 || fmcw_sign_is_open(up_hz, down_hz, own_dkmh))) {
-            return false;
-        }
-        radar.range_cm = fmcw_range_cm(up_hz, down_hz);
-        radar.closing_dkmh = fmcw_closing_dkmh(up_hz, down_hz);
-        radar.azimuth = azimuth;
+    if (targets != 0 && is_impossible) {
+        return false;
+    }
+    radar.target = false;
+    if (targets != 0 && nearest_cm != NONE_CM) {
+        radar.target = true;
+        radar.range_cm = nearest_cm;
+        radar.closing_dkmh = nearest_dkmh;
     }
     radar.own_dkmh = own_dkmh;
-    radar.curvature_upm = curvature_upm;
-    radar.flags = flags;
     return true;
 }
 
@@ -174,8 +212,7 @@ void radar_decide(void)
     uint8_t frames_needed = FRAMES_AWAY;
 
     radar.safe_cm = safe_distance_cm(radar.own_dkmh);
-    if ((radar.flags & RADAR_TARGET) &&
-        lane_is_own(radar.range_cm, radar.azimuth, radar.curvature_upm)) {
+    if (radar.target) {
         if (radar.closing_dkmh <= 0) {
             frames_closing = 0;
         } else if (frames_closing < RADAR_CLOSING_FRAMES) {

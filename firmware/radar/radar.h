@@ -37,18 +37,22 @@
 #include "cc51.h"
 
 /* Payload of FRAME_RADAR:
+ *     0  u16  own speed, tenths of km/h
+ *     2  i16  curvature of the own way, millionths of 1/m, positive to the left: the yaw rate by the
+ *             speed, or what the steering angle says
+ *     4  u8   bits 0..3: number of targets, at most RADAR_TARGETS_MAX; and RADAR_SIGNED
+ * then each target:
  *     0  i24  beat of the up sweep, Hz
  *     3  i24  beat of the down sweep, Hz
- *     6  i16  azimuth of the target, 65,536ths of a turn, positive to the left
- *     8  u16  own speed, tenths of km/h
- *    10  i16  curvature of the own lane, millionths of 1/m, positive to the left
- *    12  u8   enum radar_flags */
-#define RADAR_PAYLOAD_BYTES 13
-
-enum radar_flags {
-    RADAR_TARGET = 1, /* there is a target; otherwise beats and azimuth have no meaning */
-    RADAR_SIGNED = 2, /* the front end has I and Q: it knows the sign of a beat */
-};
+ *     6  i16  azimuth, 65,536ths of a turn, positive to the left; RADAR_NO_TARGET: an empty place
+ * In whatever order: the nearest one in the own lane counts. A head sends the same number in each
+ * frame, with empty places, because frames of different length do not come evenly. */
+#define RADAR_PAYLOAD_BYTES 5
+#define RADAR_TARGET_BYTES  8
+#define RADAR_TARGETS_MAX   8U
+#define RADAR_TARGETS_MASK  0x0FU
+#define RADAR_SIGNED        0x10U /* the front end has I and Q: it knows the sign of a beat */
+#define RADAR_NO_TARGET     INT16_MIN
 
 /* What is more than noise, and how long a closing speed below it must last. */
 #define RADAR_SURE_DKMH      36 /* 1 m/s */
@@ -65,12 +69,10 @@ enum radar_state {
 };
 
 struct radar {
-    uint16_t range_cm;
+    bool target;          /* there is one in the own lane; the next two are those of the last one */
+    uint16_t range_cm;    /* of the nearest one */
     int16_t closing_dkmh; /* tenths of km/h, positive when the target comes nearer */
     uint16_t own_dkmh;
-    int16_t azimuth; /* 65,536ths of a turn */
-    int16_t curvature_upm;
-    uint8_t flags; /* enum radar_flags */
     uint16_t safe_cm;
     uint8_t row, col; /* of the table: closing speed and range as levels, 0..12 */
     uint8_t level;    /* the table's cell, 40 (J_A + 3), 0..240 */
@@ -83,22 +85,27 @@ extern __idata struct radar radar;
 
 /*@ predicate radar_is_valid =
         radar.brake_pct <= 100 && radar.state <= RADAR_FAULT &&
-        -4593 <= radar.closing_dkmh <= 4593 && radar.own_dkmh <= 2500 &&
-        -8192 <= radar.azimuth <= 8192 && radar.curvature_upm > -32768; */
+        -4593 <= radar.closing_dkmh <= 4593 && radar.own_dkmh <= 2500; */
 
 /* Sets the state at start: no target, the driver has control. */
-/*@ assigns radar.flags, radar.brake_pct, radar.state;
-    ensures radar.state == RADAR_DRIVER && radar.brake_pct == 0 && radar.flags == 0; */
+/*@ assigns radar.target, radar.brake_pct, radar.state;
+    ensures radar.state == RADAR_DRIVER && radar.brake_pct == 0 && !radar.target; */
 void radar_init(void);
 
-/* Reads the payload of a good frame. Returns false, with nothing taken from the frame, if
+/* Reads one target of a frame that is being received, after FRAME_ITEM. */
+/*@ requires radar_is_valid;
+    assigns \nothing;
+    ensures radar_is_valid; */
+void radar_read_target(void);
+
+/* Reads the payload of a good frame, after its targets. Returns false, with nothing taken from the
+ * frame, if
  *     a value is out of its range (fmcw.h, safe.h, lane.h),
- *     an unknown flag is set, or
+ *     an unknown flag is set, or there are too many targets, or
  *     a front end without sign sends a negative beat or one with two meanings (fmcw_sign_is_open).
  */
 /*@ requires radar_is_valid;
-    assigns radar.range_cm, radar.closing_dkmh, radar.own_dkmh, radar.azimuth, radar.curvature_upm,
-            radar.flags;
+    assigns radar.target, radar.range_cm, radar.closing_dkmh, radar.own_dkmh;
     ensures radar_is_valid;
     ensures !\result ==> radar == \old(radar); */
 bool radar_read(void);

@@ -110,7 +110,7 @@ run_brake() { # BOARD APP
 run_frames() { # BOARD APP
     local family=${2%%_*} kind bytes per_second=200
     kind=$(awk -v name="FRAME_${family^^}" '$1 == name { print $3 + 0 }' firmware/frames/frame.h)
-    bytes=$(awk '$2 ~ /_PAYLOAD_BYTES$/ { print $3 }' "firmware/$family/$family.h")
+    bytes=$(awk '$2 ~ /_(PAYLOAD|TARGET)_BYTES$/ { bytes += $3 } END { print bytes }' "firmware/$family/$family.h")
     [ ! -e "build/$1/$2/mcu/servo.rel" ] || per_second=300 # with the servo's
     S51_TYPES=1 s51_start "$1" "build/$1/$2.ihx"
     s51_until 400000

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Times a control step of a frame-fed controller as it ships. Takes the place of frames/frames.c. A
- * step is app_read and app_decide together, with the payloads of tests/bench/APP.c. */
+ * step is app_item, app_read and app_decide together, with the payloads of tests/bench/APP.c. */
 #include <8052.h>
 #include "frames.h"
 #include "step.h"
@@ -15,6 +15,9 @@ uint16_t bench_step(uint16_t n)
     }
     bench_payload(n);
     BENCH_START();
+    if (app.item_bytes != 0) {
+        app_item();
+    }
     if (app_read()) {
         app_decide();
     } else {

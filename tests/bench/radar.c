@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Ranges of 0..105 m, closing speeds of -10..70 km/h, own speeds, straight and in a bend. */
+/* One target in ranges of 0..105 m, closing speeds of -10..70 km/h, own speeds, straight and in a bend. */
 #include "frames.h"
 #include "step.h"
 
@@ -31,11 +31,11 @@ void bench_payload(uint16_t n)
     if (speed_hz < 0 && range_hz + speed_hz < 0) {
         speed_hz = 0;
     }
-    put_hz(0, range_hz - speed_hz);
-    put_hz(3, range_hz + speed_hz);
+    put_hz(5, range_hz - speed_hz);
+    put_hz(8, range_hz + speed_hz);
     n /= SPEEDS;
-    put(6, n & 1 ? 519 : 0); /* azimuth: 2.85 degrees */
-    put(8, n * 499U);
-    put(10, n & 1 ? 1993 : 0);
-    frame_body[12] = 3; /* a target, signed */
+    put(11, n & 1 ? 519 : 0); /* azimuth: 2.85 degrees */
+    put(0, n * 499U);
+    put(2, n & 1 ? 1993 : 0);
+    frame_body[4] = 0x11; /* one target; signed */
 }

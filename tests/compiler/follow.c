@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* The follower's steps. */
+#include <stddef.h>
 #include "follow.h"
 #include "frames.h"
 
 void steps_begin(void)
 {
-    begin_frames(FRAME_FOLLOW, FOLLOW_PAYLOAD_BYTES);
+    begin_frames(FRAME_FOLLOW, FOLLOW_PAYLOAD_BYTES, 0);
     follow_init();
 }
 
 void step(void)
 {
     step_lib();
-    if (take_frame(follow_read)) {
+    if (take_frame(follow_read, NULL)) {
         follow_decide();
     } else if (take()) {
         follow_lose(take());

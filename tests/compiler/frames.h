@@ -9,14 +9,15 @@
 #include "steps.h"
 
 /* For steps_begin. */
-static void begin_frames(uint8_t kind, uint8_t payload_bytes)
+static void begin_frames(uint8_t kind, uint8_t payload_bytes, uint8_t item_bytes)
 {
-    frame_init(kind, payload_bytes);
+    frame_init(kind, payload_bytes, item_bytes);
     link_init(LINK_WAITING, 0);
 }
 
-/* Takes a frame. Returns whether the controller is to decide. `read` is its function. */
-static bool take_frame(bool (*read)(void))
+/* Takes a frame. Returns whether the controller is to decide. `read` and `read_item` are its
+ * functions. */
+static bool take_frame(bool (*read)(void), void (*read_item)(void))
 {
     uint16_t now_ms = take_u16();
     uint8_t left = take(), result = FRAME_NONE;
@@ -28,6 +29,9 @@ static bool take_frame(bool (*read)(void))
     while (left != 0) {
         result = frame_push(take());
         put(result);
+        if (result == FRAME_ITEM) {
+            read_item();
+        }
         left--;
     }
     if (result == FRAME_GOOD) {

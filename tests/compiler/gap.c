@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* The gap controller's steps. */
+#include <stddef.h>
 #include "gap.h"
 #include "frames.h"
 
 void steps_begin(void)
 {
-    begin_frames(FRAME_GAP, GAP_PAYLOAD_BYTES);
+    begin_frames(FRAME_GAP, GAP_PAYLOAD_BYTES, 0);
     gap_init();
 }
 
 void step(void)
 {
     step_lib();
-    if (take_frame(gap_read)) {
+    if (take_frame(gap_read, NULL)) {
         gap_decide();
         put_u16((uint16_t)gap_lq_cmps2());
         put_u16((uint16_t)gap_fuzzy_cmps2());

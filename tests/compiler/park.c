@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The parking controller's steps. */
+#include <stddef.h>
 #include "park.h"
 #include "cordic.h"
 #include "frames.h"
 
 void steps_begin(void)
 {
-    begin_frames(FRAME_PARK, PARK_PAYLOAD_BYTES);
+    begin_frames(FRAME_PARK, PARK_PAYLOAD_BYTES, 0);
     park_init();
 }
 
@@ -16,7 +17,7 @@ void step(void)
     if (take()) {
         park_init();
     }
-    if (take_frame(park_read)) {
+    if (take_frame(park_read, NULL)) {
         park_decide();
     } else if (take()) {
         park_lose();

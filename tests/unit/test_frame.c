@@ -8,20 +8,26 @@
 #define PAYLOAD_BYTES 6
 #define LINE_BYTES    FRAME_LINE_BYTES(PAYLOAD_BYTES)
 
+/* A payload with items: 5 bytes, and 8 for each item. */
+#define FIXED_BYTES 5
+#define ITEM_BYTES  8
+#define ITEMS_MAX   15
+#define LONGEST     (FIXED_BYTES + ITEMS_MAX * ITEM_BYTES)
+
 static const uint8_t payload[PAYLOAD_BYTES] = {0x00, 0xFF, 0x80, 0x7F, 0x12, 0xA5};
-static uint8_t line[LINE_BYTES];
+static uint8_t line[FRAME_LINE_BYTES(LONGEST)];
 static uint8_t number; /* of the measurement */
 
 /* The frame as a sensor head makes it, plainly: the sum bit by bit, the groups one by one. */
-static void encode(uint8_t kind, uint8_t count)
+static void encode_payload(uint8_t kind, uint8_t count, const uint8_t *bytes, uint8_t size)
 {
-    uint8_t body[PAYLOAD_BYTES + 3];
+    static uint8_t body[LONGEST + 3];
     uint16_t crc = CRC16_START;
     uint8_t at, bit, in, out;
 
     line[0] = (uint8_t)(0x80 | (kind << 4) | count);
-    for (at = 0; at <= PAYLOAD_BYTES + 1; at++) {
-        uint8_t byte = at == 0 ? line[0] : at <= PAYLOAD_BYTES ? payload[at - 1] : number;
+    for (at = 0; at <= size + 1; at++) {
+        uint8_t byte = at == 0 ? line[0] : at <= size ? bytes[at - 1] : number;
         for (bit = 0; bit < 8; bit++) {
             uint8_t differs = (uint8_t)((crc >> 15) ^ (byte >> 7));
             crc = (uint16_t)(crc << 1);
@@ -31,18 +37,18 @@ static void encode(uint8_t kind, uint8_t count)
             byte = (uint8_t)(byte << 1);
         }
         if (at != 0) {
-            body[at - 1] = at <= PAYLOAD_BYTES ? payload[at - 1] : number;
+            body[at - 1] = at <= size ? bytes[at - 1] : number;
         }
     }
-    body[PAYLOAD_BYTES + 1] = (uint8_t)(crc >> 8);
-    body[PAYLOAD_BYTES + 2] = (uint8_t)crc;
+    body[size + 1] = (uint8_t)(crc >> 8);
+    body[size + 2] = (uint8_t)crc;
 
     out = 0;
-    for (in = 0; in < PAYLOAD_BYTES + 3; in++) {
+    for (in = 0; in < size + 3; in++) {
         if (in % 7 == 0) {
             out++;
             line[out] = 0;
-            for (bit = 0; bit < 7 && in + bit < PAYLOAD_BYTES + 3; bit++) {
+            for (bit = 0; bit < 7 && in + bit < size + 3; bit++) {
                 if (body[in + bit] & 0x80) {
                     line[out] |= (uint8_t)(1 << bit);
                 }
@@ -51,6 +57,11 @@ static void encode(uint8_t kind, uint8_t count)
         out++;
         line[out] = body[in] & 0x7F;
     }
+}
+
+static void encode(uint8_t kind, uint8_t count)
+{
+    encode_payload(kind, count, payload, PAYLOAD_BYTES);
 }
 
 /* The worst of the results over the bytes from..to-1. */
@@ -69,7 +80,7 @@ static uint8_t push(uint8_t from, uint8_t to)
 
 void setUp(void)
 {
-    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
     number = 77;
     encode(FRAME_PARK, 3);
 }
@@ -123,7 +134,7 @@ static void test_each_flipped_bit_is_found(void)
 
     for (at = 0; at < LINE_BYTES; at++) {
         for (bit = 0; bit < 8; bit++) {
-            frame_init(FRAME_PARK, PAYLOAD_BYTES);
+            frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
             line[at] ^= (uint8_t)(1 << bit);
             TEST_ASSERT_NOT_EQUAL(FRAME_GOOD, push(0, LINE_BYTES));
             line[at] ^= (uint8_t)(1 << bit);
@@ -143,7 +154,7 @@ static void test_two_exchanged_bytes_are_found(void)
         if (first == line[at + 1]) {
             continue;
         }
-        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
         line[at] = line[at + 1];
         line[at + 1] = first;
         TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, push(0, LINE_BYTES));
@@ -157,7 +168,7 @@ static void test_receiver_that_wakes_inside_a_frame_takes_the_next(void)
     uint8_t from;
 
     for (from = 1; from < LINE_BYTES; from++) {
-        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
         TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(from, LINE_BYTES));
         (void)push(0, LINE_BYTES - 1);
         TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[LINE_BYTES - 1]));
@@ -170,7 +181,7 @@ static void test_frame_cut_short_costs_only_itself(void)
     uint8_t length;
 
     for (length = 1; length < LINE_BYTES; length++) {
-        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
         TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(0, length));
         TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, frame_push(line[0]));
         TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, push(1, LINE_BYTES - 1));
@@ -185,7 +196,7 @@ static void test_a_byte_too_much_is_found(void)
 
     for (before = 1; before < LINE_BYTES; before++) {
         uint8_t result;
-        frame_init(FRAME_PARK, PAYLOAD_BYTES);
+        frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
         result = push(0, before);
         TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, result);
         /* A copy of the byte that follows could be that byte itself. */
@@ -338,7 +349,7 @@ static void test_init_forgets_what_was_before(void)
     encode(FRAME_PARK, 0);
     push(0, LINE_BYTES);
     push(0, LINE_BYTES - 1);
-    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
     TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, frame_push(line[LINE_BYTES - 1]));
     TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, push(0, LINE_BYTES));
     TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
@@ -366,11 +377,11 @@ static void test_init_forgets_that_the_head_was_slow(void)
         TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(frame));
     }
     (void)frame_ask();
-    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
     TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, answer(100)); /* in time */
     TEST_ASSERT_EQUAL_UINT8(FRAME_SLOW_MAX - 1U, slow_answers(101));
 
-    frame_init(FRAME_PARK, PAYLOAD_BYTES);
+    frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
     TEST_ASSERT_EQUAL_UINT8(FRAME_SLOW_MAX - 1U, slow_answers(100));
 }
 
@@ -403,9 +414,94 @@ static void test_a_long_silence_is_slow(void)
     TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, answer(FRAME_SLOW_MAX));
 }
 
+/* A frame with that many items, of which the byte before them says `told`; its bytes are 3, 10, 17
+ * and so on. Returns its bytes on the line. */
+static uint8_t encode_items(uint8_t items, uint8_t told, uint8_t count)
+{
+    static uint8_t bytes[LONGEST];
+    uint8_t size = (uint8_t)(FIXED_BYTES + items * ITEM_BYTES), at;
+
+    for (at = 0; at < size; at++) {
+        bytes[at] = (uint8_t)(3 + 7 * at);
+    }
+    bytes[FIXED_BYTES - 1] = told;
+    encode_payload(FRAME_RADAR, count, bytes, size);
+    return FRAME_LINE_BYTES(size);
+}
+
+/* Takes the line's first `size` bytes, which hold the first `items` items. */
+static void expect_items(uint8_t size, uint8_t items, uint8_t total)
+{
+    uint8_t at, byte, seen = 0;
+
+    for (at = 0; at < size; at++) {
+        uint8_t result = frame_push(line[at]);
+        if (result != FRAME_ITEM) {
+            TEST_ASSERT_EQUAL_UINT8(FRAME_NONE, result);
+            continue;
+        }
+        TEST_ASSERT_EQUAL_UINT8(3, frame_body[0]);
+        for (byte = 0; byte < ITEM_BYTES; byte++) {
+            TEST_ASSERT_EQUAL_UINT8((uint8_t)(3 + 7 * (FIXED_BYTES + seen * ITEM_BYTES + byte)),
+                                    frame_body[FIXED_BYTES + byte]);
+        }
+        seen++;
+        TEST_ASSERT_EQUAL_UINT8(total - seen, frame_items_left());
+    }
+    TEST_ASSERT_EQUAL_UINT8(items, seen);
+}
+
+static void test_items_come_out_one_by_one_and_then_the_frame(void)
+{
+    uint8_t items, size;
+
+    frame_init(FRAME_RADAR, FIXED_BYTES, ITEM_BYTES);
+    for (items = 0; items <= ITEMS_MAX; items++) {
+        (void)frame_ask();
+        number++;
+        size = encode_items(items, (uint8_t)(0xA0 | items), items);
+        expect_items((uint8_t)(size - 1), items, items);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[size - 1]));
+        TEST_ASSERT_EQUAL_UINT8(3, frame_body[0]);
+        TEST_ASSERT_EQUAL_UINT8(0xA0 | items, frame_body[FIXED_BYTES - 1]);
+    }
+    TEST_ASSERT_EQUAL_UINT16(0, frame_bad_count());
+}
+
+static void test_frame_with_items_that_is_cut_short_costs_only_itself(void)
+{
+    uint8_t length, size;
+
+    size = encode_items(2, 2, 3);
+    for (length = 1; length < size; length++) {
+        frame_init(FRAME_RADAR, FIXED_BYTES, ITEM_BYTES);
+        (void)push(0, length);
+        TEST_ASSERT_EQUAL_UINT8(FRAME_BAD, frame_push(line[0]));
+        TEST_ASSERT_EQUAL_UINT8(FRAME_ITEM, push(1, (uint8_t)(size - 1)));
+        TEST_ASSERT_EQUAL_UINT8(FRAME_GOOD, frame_push(line[size - 1]));
+        TEST_ASSERT_EQUAL_UINT16(1, frame_bad_count());
+    }
+}
+
+static void test_wrong_number_of_items_is_found(void)
+{
+    uint8_t told, size;
+
+    for (told = 0; told <= ITEMS_MAX; told++) {
+        if (told != 2) {
+            frame_init(FRAME_RADAR, FIXED_BYTES, ITEM_BYTES);
+            size = encode_items(2, told, 3);
+            TEST_ASSERT_NOT_EQUAL(FRAME_GOOD, push(0, size));
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_items_come_out_one_by_one_and_then_the_frame);
+    RUN_TEST(test_frame_with_items_that_is_cut_short_costs_only_itself);
+    RUN_TEST(test_wrong_number_of_items_is_found);
     RUN_TEST(test_check_sum_is_the_published_one);
     RUN_TEST(test_a_good_frame_comes_out_as_it_was_sent);
     RUN_TEST(test_only_the_start_byte_has_bit_7);

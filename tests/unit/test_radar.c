@@ -7,23 +7,68 @@
 
 #define KMH 10 /* in tenths */
 
-/* The payload of a frame, as the front end would send it. */
+/* enough for the longest frame */
+static uint8_t line[FRAME_LINE_BYTES(RADAR_PAYLOAD_BYTES + 9 * RADAR_TARGET_BYTES)];
+static uint8_t body[RADAR_PAYLOAD_BYTES + 9 * RADAR_TARGET_BYTES + 3];
+static uint8_t body_bytes;
+
+static void put_u16(uint8_t at, uint16_t value)
+{
+    body[at] = (uint8_t)(value >> 8);
+    body[(uint8_t)(at + 1)] = (uint8_t)value;
+}
+
+/* Begins a payload; targets follow. */
+static void put_own_car(uint16_t own_dkmh, int16_t curvature_upm, uint8_t flags)
+{
+    put_u16(0, own_dkmh);
+    put_u16(2, (uint16_t)curvature_upm);
+    body[4] = flags;
+    body_bytes = RADAR_PAYLOAD_BYTES;
+}
+
+static void put_target(int32_t up_hz, int32_t down_hz, int16_t azimuth)
+{
+    body[body_bytes] = (uint8_t)((uint32_t)up_hz >> 16);
+    put_u16((uint8_t)(body_bytes + 1), (uint16_t)up_hz);
+    body[body_bytes + 3] = (uint8_t)((uint32_t)down_hz >> 16);
+    put_u16((uint8_t)(body_bytes + 4), (uint16_t)down_hz);
+    put_u16((uint8_t)(body_bytes + 6), (uint16_t)azimuth);
+    body_bytes += RADAR_TARGET_BYTES;
+    body[4]++;
+}
+
+/* Receives the first targets of the payload. */
+static void receive_targets(uint8_t targets)
+{
+    uint8_t in, bit, at = 0, result;
+
+    line[at++] = 0x80 | FRAME_RADAR << 4;
+    for (in = 0; in < RADAR_PAYLOAD_BYTES + targets * RADAR_TARGET_BYTES; in++) {
+        if (in % 7 == 0) {
+            line[at] = 0;
+            for (bit = 0; bit < 7 && in + bit < body_bytes; bit++) {
+                line[at] |= (uint8_t)((body[in + bit] >> 7) << bit);
+            }
+            at++;
+        }
+        line[at++] = body[in] & 0x7F;
+    }
+    for (in = 0; in < at; in++) {
+        result = frame_push(line[in]);
+        if (result == FRAME_ITEM) {
+            radar_read_target();
+        }
+    }
+}
+
+/* The payload of a frame with one target, as the front end would send it. */
 static void send(int32_t up_hz, int32_t down_hz, int16_t azimuth, uint16_t own_dkmh,
                  int16_t curvature_upm, uint8_t flags)
 {
-    frame_body[0] = (uint8_t)((uint32_t)up_hz >> 16);
-    frame_body[1] = (uint8_t)((uint32_t)up_hz >> 8);
-    frame_body[2] = (uint8_t)up_hz;
-    frame_body[3] = (uint8_t)((uint32_t)down_hz >> 16);
-    frame_body[4] = (uint8_t)((uint32_t)down_hz >> 8);
-    frame_body[5] = (uint8_t)down_hz;
-    frame_body[6] = (uint8_t)((uint16_t)azimuth >> 8);
-    frame_body[7] = (uint8_t)azimuth;
-    frame_body[8] = (uint8_t)(own_dkmh >> 8);
-    frame_body[9] = (uint8_t)own_dkmh;
-    frame_body[10] = (uint8_t)((uint16_t)curvature_upm >> 8);
-    frame_body[11] = (uint8_t)curvature_upm;
-    frame_body[12] = flags;
+    put_own_car(own_dkmh, curvature_upm, flags);
+    put_target(up_hz, down_hz, azimuth);
+    receive_targets(1);
 }
 
 /* A target straight ahead: the beats of a range and a closing speed, to the nearest Hz. */
@@ -33,7 +78,7 @@ static void send_target(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dk
         (int32_t)(((uint32_t)range_cm * 100069UL + 5000) / 10000) + 15; /* up to a whole step */
     int32_t speed_hz = (int32_t)closing_dkmh * 1427L / 100;
 
-    send(range_hz - speed_hz, range_hz + speed_hz, 0, own_dkmh, 0, RADAR_TARGET | RADAR_SIGNED);
+    send(range_hz - speed_hz, range_hz + speed_hz, 0, own_dkmh, 0, RADAR_SIGNED);
 }
 
 static void step(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dkmh)
@@ -45,13 +90,15 @@ static void step(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dkmh)
 
 static void step_without_target(void)
 {
-    send(0, 0, 0, 100 * KMH, 0, RADAR_SIGNED);
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    receive_targets(0);
     TEST_ASSERT_TRUE(radar_read());
     radar_decide();
 }
 
 void setUp(void)
 {
+    frame_init(FRAME_RADAR, RADAR_PAYLOAD_BYTES, RADAR_TARGET_BYTES);
     radar_init();
 }
 
@@ -274,25 +321,25 @@ static void test_negative_beat_brakes_hardest(void)
 
 static void test_beats_without_a_sign_are_refused_where_it_matters(void)
 {
-    send(5270, 15277, 0, 200 * KMH, 0, RADAR_TARGET);
+    send(5270, 15277, 0, 200 * KMH, 0, 0);
     TEST_ASSERT_FALSE(radar_read());
-    send(-5270, 15277, 0, 200 * KMH, 0, RADAR_TARGET);
+    send(-5270, 15277, 0, 200 * KMH, 0, 0);
     TEST_ASSERT_FALSE(radar_read());
-    send(44898, 55172, 0, 100 * KMH, 0, RADAR_TARGET);
+    send(44898, 55172, 0, 100 * KMH, 0, 0);
     TEST_ASSERT_TRUE(radar_read());
-    send(15277, -5270, 0, 200 * KMH, 0, RADAR_TARGET); /* a beat without a sign is not negative */
+    send(15277, -5270, 0, 200 * KMH, 0, 0); /* a beat without a sign is not negative */
     TEST_ASSERT_FALSE(radar_read());
 }
 
 static void test_target_in_the_next_lane_of_a_bend_is_left_alone(void)
 {
     /* 50 m ahead in a bend of 501.875 m the lane lies between 0.702 and 5.005 degrees. */
-    send(45000, 55000, 0, 100 * KMH, 1993, RADAR_TARGET | RADAR_SIGNED);
+    send(45000, 55000, 0, 100 * KMH, 1993, RADAR_SIGNED);
     TEST_ASSERT_TRUE(radar_read());
     radar_decide();
     TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, radar.state);
 
-    send(45000, 55000, 519, 100 * KMH, 1993, RADAR_TARGET | RADAR_SIGNED); /* 2.85 degrees */
+    send(45000, 55000, 519, 100 * KMH, 1993, RADAR_SIGNED); /* 2.85 degrees */
     TEST_ASSERT_TRUE(radar_read());
     radar_decide();
     TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, radar.state);
@@ -402,12 +449,12 @@ static void expect_refused(void)
     TEST_ASSERT_EQUAL_UINT16(before.range_cm, radar.range_cm);
     TEST_ASSERT_EQUAL_INT16(before.closing_dkmh, radar.closing_dkmh);
     TEST_ASSERT_EQUAL_UINT16(before.own_dkmh, radar.own_dkmh);
-    TEST_ASSERT_EQUAL_UINT8(before.flags, radar.flags);
+    TEST_ASSERT_EQUAL_UINT8(before.target, radar.target);
 }
 
 static void test_values_out_of_range_are_refused_and_change_nothing(void)
 {
-    const uint8_t flags = RADAR_TARGET | RADAR_SIGNED;
+    const uint8_t flags = RADAR_SIGNED;
 
     step(5000, 30 * KMH, 100 * KMH);
     send(45000, 55000, 0, SAFE_SPEED_MAX_DKMH + 1, 0, flags);
@@ -418,7 +465,7 @@ static void test_values_out_of_range_are_refused_and_change_nothing(void)
     expect_refused();
     send(45000, 55000, 0, 1000, INT16_MIN, flags);
     expect_refused();
-    send(45000, 55000, 0, 1000, 0, flags | 4);
+    send(45000, 55000, 0, 1000, 0, flags | 0x40);
     expect_refused();
     send(600000, 600000, 0, 1000, 0, flags);
     expect_refused();
@@ -428,9 +475,127 @@ static void test_values_out_of_range_are_refused_and_change_nothing(void)
     expect_refused();
 }
 
+/* A target straight ahead, or in the next lane to the left, among several. */
+static void put_range(uint16_t range_cm, int16_t closing_dkmh, int16_t aside_cm)
+{
+    int32_t range_hz = (int32_t)(((uint32_t)range_cm * 100069UL + 5000) / 10000) + 15;
+    int32_t speed_hz = (int32_t)closing_dkmh * 1427L / 100;
+
+    put_target(range_hz - speed_hz, range_hz + speed_hz,
+               (int16_t)((int32_t)aside_cm * 10430L / (int32_t)range_cm)); /* 65536 / (2 pi) */
+}
+
+#define NEXT_LANE_CM 375
+
+static void expect_target(uint16_t range_cm, int16_t closing_dkmh)
+{
+    TEST_ASSERT_TRUE(radar_read());
+    TEST_ASSERT_TRUE(radar.target);
+    TEST_ASSERT_UINT16_WITHIN(4, range_cm, radar.range_cm);
+    TEST_ASSERT_INT16_WITHIN(2, closing_dkmh, radar.closing_dkmh);
+}
+
+static void test_the_nearest_of_several_targets_in_the_own_lane_rules(void)
+{
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    put_range(8000, 20 * KMH, 0);
+    put_range(3000, 90 * KMH, NEXT_LANE_CM);
+    put_range(5000, 30 * KMH, 0);
+    put_range(6000, 40 * KMH, 0);
+    put_range(4000, 50 * KMH, -NEXT_LANE_CM);
+    receive_targets(5);
+    expect_target(5000, 30 * KMH);
+    radar_decide();
+    expect(RADAR_BRAKING, 55);
+}
+
+static void test_the_last_of_the_most_targets_can_be_the_one(void)
+{
+    uint8_t target;
+
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    for (target = 1; target < RADAR_TARGETS_MAX; target++) {
+        put_range((uint16_t)(9000 - target), 10 * KMH, 0);
+    }
+    put_range(7000, 20 * KMH, 0);
+    receive_targets(RADAR_TARGETS_MAX);
+    expect_target(7000, 20 * KMH);
+
+    put_range(6000, 20 * KMH, 0); /* one too many */
+    receive_targets(RADAR_TARGETS_MAX + 1);
+    expect_refused();
+}
+
+static void test_targets_beside_and_empty_places_are_no_target(void)
+{
+    step(5000, 30 * KMH, 100 * KMH);
+    put_own_car(90 * KMH, 0, RADAR_SIGNED);
+    put_target(600000, 600000, RADAR_NO_TARGET); /* its beats have no meaning */
+    put_range(3000, 90 * KMH, NEXT_LANE_CM);
+    receive_targets(2);
+    TEST_ASSERT_TRUE(radar_read());
+    TEST_ASSERT_FALSE(radar.target);
+    TEST_ASSERT_EQUAL_UINT16(90 * KMH, radar.own_dkmh);
+    TEST_ASSERT_UINT16_WITHIN(4, 5000, radar.range_cm); /* of the last target */
+
+    put_range(9000, 10 * KMH, 0);
+    receive_targets(3);
+    expect_target(9000, 10 * KMH);
+}
+
+static void test_one_impossible_target_spoils_its_frame_and_no_other(void)
+{
+    step(5000, 30 * KMH, 100 * KMH);
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    put_range(4000, 20 * KMH, 0);
+    put_target(600000, 600000, 0);
+    put_range(3000, 20 * KMH, 0);
+    receive_targets(3);
+    expect_refused();
+
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    receive_targets(0);
+    TEST_ASSERT_TRUE(radar_read());
+    TEST_ASSERT_FALSE(radar.target);
+    step(6000, 10 * KMH, 100 * KMH);
+    expect_target(6000, 10 * KMH);
+}
+
+static void test_targets_of_a_frame_that_was_cut_short_are_forgotten(void)
+{
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    put_range(2000, 20 * KMH, 0);
+    put_range(3000, 20 * KMH, 0);
+    receive_targets(1);
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    put_range(7000, 10 * KMH, 0);
+    put_range(8000, 10 * KMH, 0);
+    receive_targets(2);
+    expect_target(7000, 10 * KMH);
+}
+
+static void test_own_car_must_be_possible_without_targets_too(void)
+{
+    put_own_car(SAFE_SPEED_MAX_DKMH, 32767, RADAR_SIGNED);
+    receive_targets(0);
+    TEST_ASSERT_TRUE(radar_read());
+    put_own_car(SAFE_SPEED_MAX_DKMH + 1, 0, RADAR_SIGNED);
+    receive_targets(0);
+    expect_refused();
+    put_own_car(100 * KMH, INT16_MIN, RADAR_SIGNED);
+    receive_targets(0);
+    expect_refused();
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_the_nearest_of_several_targets_in_the_own_lane_rules);
+    RUN_TEST(test_the_last_of_the_most_targets_can_be_the_one);
+    RUN_TEST(test_targets_beside_and_empty_places_are_no_target);
+    RUN_TEST(test_one_impossible_target_spoils_its_frame_and_no_other);
+    RUN_TEST(test_targets_of_a_frame_that_was_cut_short_are_forgotten);
+    RUN_TEST(test_own_car_must_be_possible_without_targets_too);
     RUN_TEST(test_published_spot_values);
     RUN_TEST(test_levels_are_those_of_the_division_everywhere);
     RUN_TEST(test_driver_has_control_outside_the_gate);

@@ -103,7 +103,7 @@ int car_nearest(const struct car *car)
 {
     int nearest = -1;
 
-    for (int i = 0; i < CAR_TARGETS; i++) {
+    for (int i = 0; i < car->target_count; i++) {
         bool rather; /* than the nearest so far: a car in the way comes first */
 
         if (!car->targets[i].there) {
@@ -139,7 +139,7 @@ static double obstacle_x_m(const struct car *car, double t_s, double *speed_mps)
 {
     double nearest_m = INFINITY, target_mps;
 
-    for (int i = 0; i < CAR_TARGETS; i++) {
+    for (int i = 0; i < car->target_count; i++) {
         if (is_in_the_way(&car->targets[i])) {
             double x_m = target_x_m(&car->targets[i], t_s, &target_mps);
 
@@ -155,7 +155,7 @@ static double obstacle_x_m(const struct car *car, double t_s, double *speed_mps)
 /* A target appears its gap_m ahead of the ego, wherever that is by then. */
 static void place_targets(struct car *car)
 {
-    for (int i = 0; i < CAR_TARGETS; i++) {
+    for (int i = 0; i < car->target_count; i++) {
         struct target *target = &car->targets[i];
 
         target->there = is_there(&target->lead, now_s(car));
@@ -370,8 +370,12 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
 {
     memset(car, 0, sizeof *car);
     car->ego = scenario->ego;
-    car->targets[0].lead = scenario->lead;
-    car->targets[1].lead = scenario->lead2;
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        car->targets[i].lead = scenario->leads[i];
+        if (scenario->leads[i].present) {
+            car->target_count = i + 1;
+        }
+    }
     car->event_s = scenario->event_s;
     car->step_ns = step_ns;
     car->v_mps = car->ego.speed_mps;
@@ -411,7 +415,7 @@ static int64_t step_end_ns(const struct car *car, int64_t t_ns)
     if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end) {
         end = car->demands[car->first_demand].at_ns;
     }
-    for (int i = 0; i < CAR_TARGETS; i++) {
+    for (int i = 0; i < car->target_count; i++) {
         end = sooner(car, car->targets[i].lead.appears_s, end);
         end = sooner(car, car->targets[i].lead.leaves_s, end);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The plant: a car with a brake on a lane, and up to two cars ahead of it. Between two changes of
+/* The plant: a car with a brake on a lane, and up to eight cars ahead of it. Between two changes of
  * the brake's demand the motion is integrated in closed form, so neither the step nor the
  * simulator's quantum moves an outcome; only the driver model looks at the speed once a step. */
 #ifndef FUZZY51_CAR_H
@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { CAR_DEMANDS = 256, CAR_TARGETS = 2 };
+enum { CAR_DEMANDS = 256, CAR_TARGETS = LEADS_MAX };
 
 /* A car ahead. */
 struct target {
@@ -35,6 +35,7 @@ struct car_record {
 struct car {
     struct ego ego;
     struct target targets[CAR_TARGETS];
+    int target_count; /* the targets that the scenario has are among the first ones */
     double event_s;
     int64_t now_ns, step_ns;
     double x_m, v_mps; /* the front of the ego car */

@@ -14,8 +14,8 @@
 
 enum {
     HEAD_FAULTS = SECTION_COPIES,
-    HEAD_PAYLOAD_MAX = 13,
-    HEAD_LINE_MAX = 48,
+    HEAD_PAYLOAD_MAX = 69,
+    HEAD_LINE_MAX = 176,     /* two frames */
     HEAD_OLD = 3,            /* frames that a head repeats by turns */
     HEAD_AGE_MAX = 8,        /* frames */
     HEAD_GRACE_NS = 25000000 /* from a frame's first byte to its effect at a pin, at most */

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { KEYS_MAX = 16, SECTION_COPIES = 4, SCENARIO_TEXT = 128 };
+enum { KEYS_MAX = 16, SECTION_COPIES = 4, SECTION_COPIES_MAX = 8, SCENARIO_TEXT = 128 };
 
 /* The value of a number that the file leaves out, where no number can stand for it. */
 #define SCENARIO_UNSET (-1.0)

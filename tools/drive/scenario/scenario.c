@@ -22,8 +22,8 @@ struct reader {
     FILE *stream;      /* NULL: there is no file, only settings */
     int line;
     int faults_found;
-    int given[SECTIONS_MAX][SECTION_COPIES][KEYS_MAX]; /* the line of each key; 0: not given */
-    bool only_app;                                     /* the first reading */
+    int given[SECTIONS_MAX][SECTION_COPIES_MAX][KEYS_MAX]; /* the line of each key; 0: not given */
+    bool only_app;                                         /* the first reading */
     bool setting; /* a value from the command line replaces the file's */
 };
 

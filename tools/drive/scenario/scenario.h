@@ -12,7 +12,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PROFILE_POINTS = 32, SCENARIO_SETTINGS = 1024, SCENARIO_FLIPS = SECTION_COPIES };
+enum {
+    PROFILE_POINTS = 32,
+    SCENARIO_SETTINGS = 1024,
+    SCENARIO_FLIPS = SECTION_COPIES,
+    LEADS_MAX = 8
+};
 
 struct world_class;
 
@@ -38,7 +43,7 @@ struct profile {
     int count; /* 0: there is none */
 };
 
-/* Section [lead] or [lead2]: a car ahead. */
+/* Section [lead], [lead2], ...: a car ahead. */
 struct lead {
     bool present;
     double gap_m;     /* at t = 0, or when it appears */
@@ -97,7 +102,12 @@ struct scenario {
     double seed;
     int demo; /* 1: `make demo` shows this one */
     struct ego ego;
-    struct lead lead, lead2;
+    union {
+        struct lead leads[LEADS_MAX];
+        struct {
+            struct lead lead, lead2; /* the first two of them */
+        };
+    };
     struct uart uart;
     struct flip flips[SCENARIO_FLIPS];
     struct expectation expect[EXPECT_MAX];

@@ -57,7 +57,7 @@ static const struct section override_section = {
 static const struct section_use sections[] = {
     {.section = &scenario_section, .required = true},
     {.section = &ego_section, AT_SCENARIO(ego), .required = true},
-    {.section = &lead_section, AT_SCENARIO(lead), .copies = CAR_TARGETS},
+    {.section = &lead_section, AT_SCENARIO(lead), .copies = 2},
     {.section = &sensor_section, AT_SETTINGS(struct brake_settings, sensing.sensor)},
     {.section = &fault_section,
      AT_SETTINGS(struct brake_settings, sensing.faults),

@@ -15,7 +15,7 @@ static const double unit_per_m = 512, turn = 65536;
 
 static const double servo_mid_us = 1500, servo_span_us = 500;
 static const double degree = M_PI / 180;
-static const int check_frames = 330; /* PLAN_STEPS_MAX of firmware/park/plan.h, and some */
+static const int check_frames = 360; /* PLAN_STEPS_MAX of firmware/park/plan.h, and some */
 static const double dwell_s = 0.3;   /* what is shown of the car in its place */
 
 struct park_settings {

@@ -17,10 +17,10 @@
 #include <stdint.h>
 
 enum {
-    WORLD_COLUMNS = 12,
+    WORLD_COLUMNS = 14,
     WORLD_STEP_NS = 1000000,
     WORLD_ROW_NS = 10000000,
-    WORLD_BYTES = 64,
+    WORLD_BYTES = 176,
     /* No input changes earlier than this: the caller notices the first trigger up to one sync late,
      * so what a scenario starts at 0 s reaches the pins now. */
     WORLD_FIRST_INPUT_NS = 450000
