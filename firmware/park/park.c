@@ -121,11 +121,16 @@ bool park_read(void)
     return true;
 }
 
+/* In these states a way is being driven in thought. */
+/*@ predicate park_plans = park.state == PARK_CHECKING || park.state == PARK_DEAD_ZONE ||
+        park.state == PARK_READY ==> plan_is_valid; */
+
 /* The next step of the check. */
-/*@ requires park_is_valid && (park.state == PARK_CHECKING ==> plan_is_valid);
+/*@ requires park_is_valid && park_plans && park.state != PARK_DEAD_ZONE &&
+        park.state != PARK_READY;
     assigns park.state, park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
             park.theta_near, park.theta, x, y, heading, steps_left, cordic_polar, is_checked;
-    ensures park_is_valid && (park.state == PARK_CHECKING ==> plan_is_valid);
+    ensures park_is_valid && park_plans;
     ensures park.x == \old(park.x) && park.y == \old(park.y) &&
                 park.heading == \old(park.heading);
     ensures park.state == PARK_CHECKING || park.state == PARK_DEAD_ZONE; */
@@ -143,17 +148,45 @@ static void check(void)
         break;
     default:
         park.state = PARK_DEAD_ZONE;
+        plan_begin();
     }
 }
 
-/*@ requires park.state == PARK_CHECKING ==> plan_is_valid;
+/* The next step of the check from where the car is by now. */
+/*@ requires park_is_valid && plan_is_valid;
+    assigns park.state, park.x, park.y, park.heading, park.dist_mm, park.weight, park.theta_far,
+            park.theta_near, park.theta, x, y, heading, steps_left, cordic_polar;
+    ensures park_is_valid && plan_is_valid;
+    ensures park.x == \old(park.x) && park.y == \old(park.y) &&
+                park.heading == \old(park.heading);
+    ensures park.state == \old(park.state) || park.state == PARK_DEAD_ZONE ||
+                park.state == PARK_READY; */
+static void check_again(void)
+{
+    switch (plan_step()) {
+    case PLAN_GOES_ON:
+        return;
+    case PLAN_PARKS:
+        park.state = PARK_READY;
+        break;
+    default:
+        park.state = PARK_DEAD_ZONE;
+    }
+    plan_begin();
+}
+
+/*@ requires park_plans;
     assigns x, y, heading, steps_left, cordic_polar, is_checked;
-    ensures park.state == PARK_CHECKING ==> plan_is_valid; */
+    ensures park_plans; */
 void park_decide(void)
 {
     uint16_t off_us;
 
-    if (park.state == PARK_ARRIVED || park.state == PARK_DEAD_ZONE) {
+    if (park.state == PARK_ARRIVED) {
+        return;
+    }
+    if (park.state == PARK_DEAD_ZONE || park.state == PARK_READY) {
+        check_again();
         return;
     }
     if (park.y <= 0) {

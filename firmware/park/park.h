@@ -29,21 +29,25 @@
 #define PARK_SERVO_SPAN_US 500U /* added at PARK_THETA_MAX_TURN16 */
 
 /* A start is checked before the car moves: plan.h drives the way in thought, one step each frame,
- * up to 6.4 s. park_paper, as published, does not check: it drives from WAITING on, wherever it
+ * up to 7.1 s. park_paper, as published, does not check: it drives from WAITING on, wherever it
  * ends.
  *
  *     WAITING    link up -> CHECKING; link lost: WAITING
  *     CHECKING   the way ends in the place -> DRIVING, beside it -> DEAD_ZONE; link lost -> FAULT
  *     DRIVING    Y <= 0 -> ARRIVED; link lost -> FAULT
  *     FAULT      link up -> DRIVING, or CHECKING from the beginning if that had not ended
- * In every state but DEAD_ZONE, Y <= 0 -> ARRIVED. ARRIVED and DEAD_ZONE last until the next start.
- */
+ *     DEAD_ZONE  the way from where the driver has moved the car ends in the place -> READY
+ *     READY      it ends beside it -> DEAD_ZONE
+ * In every state but the last two, Y <= 0 -> ARRIVED. ARRIVED, DEAD_ZONE and READY end with the next
+ * start: only then does the car drive. DEAD_ZONE and READY drive the way in thought again and again,
+ * each time from where the car is then. So they are right when the car has stood for 15 s. */
 enum park_state {
     PARK_WAITING,  /* the link was never up: the car stands */
     PARK_CHECKING, /* the car stands */
     PARK_DRIVING,
     PARK_ARRIVED,   /* Y <= 0: the car stands until the next start */
     PARK_DEAD_ZONE, /* from here it would not park: the car stands. Drive forward, start again */
+    PARK_READY,     /* out of the dead zone: the car stands until the next start */
     PARK_FAULT,     /* the link is lost: the car stands until the link is up again */
 };
 
@@ -93,9 +97,11 @@ bool park_read(void);
     ensures park.x == \old(park.x) && park.y == \old(park.y) && park.heading == \old(park.heading);
     ensures park_is_valid;
     ensures park.state != PARK_WAITING && park.state != PARK_FAULT;
-    ensures lasts: \old(park.state) == PARK_ARRIVED || \old(park.state) == PARK_DEAD_ZONE ==>
-                park.state == \old(park.state);
-    ensures ends_at_the_line: park.y <= 0 ==> park.state == PARK_ARRIVED || park.state == PARK_DEAD_ZONE; */
+    ensures lasts: \old(park.state) == PARK_ARRIVED ==> park.state == PARK_ARRIVED;
+    ensures lasts: \old(park.state) == PARK_DEAD_ZONE || \old(park.state) == PARK_READY ==>
+                park.state == PARK_DEAD_ZONE || park.state == PARK_READY;
+    ensures ends_at_the_line: park.y <= 0 ==> park.state == PARK_ARRIVED ||
+                park.state == PARK_DEAD_ZONE || park.state == PARK_READY; */
 void park_decide(void);
 
 /* Makes one control step while the link is lost: CHECKING and DRIVING become FAULT. */

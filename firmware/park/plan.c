@@ -14,7 +14,7 @@
 #define IN_512(mm) ((uint16_t)((mm) * 512UL / 1000UL))
 
 /* So near to the line of the place the car must be in front of it. */
-#define LINE_Y_512 128
+#define LINE_Y_512 64
 #define LINE_X_512 512
 
 /* sin(i * 90 / 64 degrees) * 32768, i = 0..64, at most 32767. */

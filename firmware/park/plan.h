@@ -18,18 +18,18 @@
 #define PARK_AXLES_MM 4000 /* from axle to axle */
 #endif
 #define PLAN_FRONT_MM 4900 /* from the rear axle to the front end */
-#define PLAN_ROOM_MM  450  /* what an end of the car may be off; the place has 500 */
+#define PLAN_ROOM_MM  460  /* what an end of the car may be off; the place has 500 */
 
-/* The way must keep 1 m away from the end of the frames' range. */
-#define PLAN_X_MAX_512 (PARK_X_MAX_512 - 512)
-#define PLAN_Y_MAX_512 (PARK_Y_MAX_512 - 512)
+/* The way must keep 0.25 m away from the end of the frames' range. */
+#define PLAN_X_MAX_512 (PARK_X_MAX_512 - 128)
+#define PLAN_Y_MAX_512 (PARK_Y_MAX_512 - 128)
 
-#define PLAN_STEPS_MAX 320U /* 80 m */
+#define PLAN_STEPS_MAX 352U /* 88 m */
 
 enum plan_result {
     PLAN_GOES_ON,
     PLAN_PARKS,
-    PLAN_DEAD_ZONE, /* it ends beside the place, out of range, or nowhere within 80 m */
+    PLAN_DEAD_ZONE, /* it ends beside the place, out of range, or nowhere within 88 m */
 };
 
 /* Returns the sine of an angle in 65,536ths of a turn, -32767..32767 for -1..1; right to 5. */

@@ -184,7 +184,7 @@ static void expect_dead_zone(int16_t x, int16_t y, uint16_t heading)
 }
 
 /* 6 m and 10 m before the place, as in the study; half a metre beside it; the wrong way round;
- * turned by 14 degrees; beside the line; nearer than 1 m to the end of the range; over 80 m. */
+ * turned by 14 degrees; beside the line; nearer than 0.25 m to the end of the range; over 88 m. */
 static void test_starts_that_do_not_end_in_the_place_are_in_the_dead_zone(void)
 {
     expect_dead_zone(1024, 3072, 18204);
@@ -192,10 +192,10 @@ static void test_starts_that_do_not_end_in_the_place_are_in_the_dead_zone(void)
     expect_dead_zone(256, 10, QUARTER_TURN);
     expect_dead_zone(0, 10, 3 * QUARTER_TURN);
     expect_dead_zone(0, 10, QUARTER_TURN + 2549U);
-    expect_dead_zone(513, 127, QUARTER_TURN);
-    expect_dead_zone(PARK_X_MAX_512 - 300, 10000, 32768U);
-    expect_dead_zone(0, PARK_Y_MAX_512 - 300, 3 * QUARTER_TURN);
-    expect_dead_zone(18954, 784, 55292U);
+    expect_dead_zone(513, 63, QUARTER_TURN);
+    expect_dead_zone(PARK_X_MAX_512 - 100, 10000, 32768U);
+    expect_dead_zone(0, PARK_Y_MAX_512 - 100, 3 * QUARTER_TURN);
+    expect_dead_zone(16178, 372, 34470U);
 }
 
 static void test_dead_zone_lasts_until_the_next_start(void)
@@ -209,6 +209,44 @@ static void test_dead_zone_lasts_until_the_next_start(void)
     TEST_ASSERT_TRUE(park_read());
     park_decide();
     TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
+}
+
+/* Frames from one place until the state is another one. Returns how many. */
+static uint16_t frames_until_change(int16_t x, int16_t y, uint16_t heading)
+{
+    uint8_t state = park.state;
+    uint16_t frames = 0;
+
+    while (park.state == state && frames < 3U * PLAN_STEPS_MAX) {
+        send(x, y, heading);
+        TEST_ASSERT_TRUE(park_read());
+        park_decide();
+        TEST_ASSERT_EQUAL_INT16(x, park.x);
+        TEST_ASSERT_EQUAL_INT16(y, park.y);
+        TEST_ASSERT_TRUE(park_must_stand());
+        frames++;
+    }
+    return frames;
+}
+
+static void test_out_of_the_dead_zone_the_car_is_ready_for_the_next_start(void)
+{
+    uint16_t frames;
+
+    expect_dead_zone(1024, 3072, 18204);
+    /* The way that began there ends first; then that of 19.5 m, in 80 steps. */
+    frames = frames_until_change(0, 10000, QUARTER_TURN);
+    TEST_ASSERT_EQUAL_UINT8(PARK_READY, park.state);
+    TEST_ASSERT_TRUE(frames > 80 && frames < 160);
+    TEST_ASSERT_EQUAL_UINT16(PARK_SERVO_MID_US, park.servo_us);
+    park_lose();
+    TEST_ASSERT_EQUAL_UINT8(PARK_READY, park.state);
+
+    frames_until_change(1024, 3072, 18204);
+    TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
+    frames_until_change(0, 10000, QUARTER_TURN);
+    TEST_ASSERT_EQUAL_UINT8(PARK_READY, park.state);
+    TEST_ASSERT_EQUAL_UINT16(3U * PLAN_STEPS_MAX, frames_until_change(0, 10000, QUARTER_TURN));
 }
 
 static void test_lost_link_ends_the_check_and_it_begins_anew(void)
@@ -322,6 +360,7 @@ int main(void)
     RUN_TEST(test_check_takes_a_step_for_each_quarter_of_a_metre);
     RUN_TEST(test_starts_that_do_not_end_in_the_place_are_in_the_dead_zone);
     RUN_TEST(test_dead_zone_lasts_until_the_next_start);
+    RUN_TEST(test_out_of_the_dead_zone_the_car_is_ready_for_the_next_start);
     RUN_TEST(test_lost_link_ends_the_check_and_it_begins_anew);
 #endif
     RUN_TEST(test_sines);
