@@ -443,7 +443,8 @@ void gap_decide(void)
         accel_cmps2++;
     }
     accel_cmps2 >>= 1;
-    if (gap.own_cmps < GAP_CREEP_CMPS && accel_cmps2 < 0 && accel_cmps2 > -GAP_HOLD_CMPS2) {
+    if (gap.own_cmps < GAP_CREEP_CMPS && accel_cmps2 > -GAP_HOLD_CMPS2 &&
+        accel_cmps2 < (gap.lead == GAP_LEAD_STANDS ? GAP_HOLD_CMPS2 : 0)) {
         accel_cmps2 = -GAP_HOLD_CMPS2;
     }
 #ifdef GAP_AS_PUBLISHED

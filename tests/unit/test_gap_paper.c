@@ -159,7 +159,27 @@ static void test_brake_holds_through_the_last_creep(void)
     TEST_ASSERT_LESS_OR_EQUAL_INT16(-GAP_HOLD_CMPS2, gap.accel_cmps2);
     situation(500, 0, 0,
               0); /* as far as it should be, on the mark: the law alone says next to nothing */
-    TEST_ASSERT_TRUE(gap.accel_cmps2 >= 0 || gap.accel_cmps2 <= -GAP_HOLD_CMPS2);
+    TEST_ASSERT_EQUAL_INT16(-GAP_HOLD_CMPS2, gap.accel_cmps2);
+}
+
+static void expect_accel(int16_t accel_cmps2, uint16_t gap_cm, uint16_t own_cmps,
+                         uint16_t lead_cmps)
+{
+    situation(gap_cm, own_cmps, lead_cmps, 0);
+    TEST_ASSERT_EQUAL_INT16(accel_cmps2, gap.accel_cmps2);
+}
+
+/* What the law itself says here: 29, 30; 26, 31; 0; then 29 and, with less room, a brake. */
+static void test_car_does_not_creep_up_to_one_that_stands(void)
+{
+    expect_accel(-GAP_HOLD_CMPS2, 616, 0, 0);
+    expect_accel(30, 620, 0, 0);
+    expect_accel(-GAP_HOLD_CMPS2, 696, 29, 0);
+    expect_accel(31, 700, 29, 0);
+    expect_accel(0, 604, GAP_CREEP_CMPS, 0);
+    expect_accel(29, 592, 0, 6);
+    expect_accel(0, 504, 0, 6);
+    expect_accel(-GAP_HOLD_CMPS2, 500, 0, 6);
 }
 
 static void test_no_room_never_accelerates_and_much_room_never_brakes(void)
@@ -586,6 +606,7 @@ int main(void)
     RUN_TEST(test_brake_and_throttle_are_never_on_together);
     RUN_TEST(test_outputs_are_the_acceleration_to_half_a_percent);
     RUN_TEST(test_brake_holds_through_the_last_creep);
+    RUN_TEST(test_car_does_not_creep_up_to_one_that_stands);
     RUN_TEST(test_no_room_never_accelerates_and_much_room_never_brakes);
     RUN_TEST(test_nobody_ahead_leaves_brake_and_throttle_alone);
     RUN_TEST(test_payload_out_of_range_is_refused_and_changes_nothing);
