@@ -54,8 +54,8 @@
 #define GAP_ACCEL_MAX_CMPS2 800
 
 /* Below GAP_CREEP_CMPS a brake that is on brakes at least with GAP_HOLD_CMPS2, until the car
- * stands. Behind a lead that stands, an acceleration of less than that is such a brake, too: the car
- * does not creep up to the safe distance. */
+ * stands. Behind a lead that stands, an acceleration of less than that is such a brake, too: the
+ * car does not creep up to the safe distance. */
 #define GAP_CREEP_CMPS 30U
 #define GAP_HOLD_CMPS2 30
 

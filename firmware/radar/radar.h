@@ -38,8 +38,8 @@
 
 /* Payload of FRAME_RADAR:
  *     0  u16  own speed, tenths of km/h
- *     2  i16  curvature of the own way, millionths of 1/m, positive to the left: the yaw rate by the
- *             speed, or what the steering angle says
+ *     2  i16  curvature of the own way, millionths of 1/m, positive to the left: yaw rate by speed,
+ *             or what the steering angle says
  *     4  u8   bits 0..3: number of targets, at most RADAR_TARGETS_MAX; and RADAR_SIGNED
  * then each target:
  *     0  i24  beat of the up sweep, Hz

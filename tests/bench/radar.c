@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One target in ranges of 0..105 m, closing speeds of -10..70 km/h, own speeds, straight and in a bend. */
+/* One target in ranges of 0..105 m, closing speeds of -10..70 km/h, own speeds, straight and in a
+ * bend. */
 #include "frames.h"
 #include "step.h"
 

@@ -251,15 +251,18 @@ faultless "every image is described" "$(unnamed "docs/brake.md docs/controllers.
 faultless "every membership function is named" "$(unnamed docs/fistab.md "${kinds[@]}")"
 faultless "every fault of a scenario is named" "$(unnamed docs/drive.md "${faults[@]}")"
 
-# Of each frame-fed controller: the rows of its payload follow each other and fill it; its period.
+# Of each frame-fed controller: the rows of its payload follow each other and fill it, as do those of each of
+# its targets or other items; its period.
 wrong_payloads() {
     local name
     for name in $(sed -n 's/^FRAME_\([A-Z]*\) = .*/\1/p; s/^ *FRAME_\([A-Z]*\) = .*/\1/p' firmware/frames/frame.h | tr '[:upper:]' '[:lower:]' | sort -u); do
-        awk -v name="$name" -v wanted="$(sed -nE 's/^#define [A-Z]+_PAYLOAD_BYTES +([0-9]+).*/\1/p' "firmware/$name/$name.h")" '
+        awk -v name="$name" -v wanted="$(sed -nE 's/^#define [A-Z]+_(PAYLOAD|TARGET)_BYTES +([0-9]+).*/\2/p' "firmware/$name/$name.h" | xargs)" '
+            function end_table() { if (bytes) sizes = sizes (sizes ? " " : "") bytes; bytes = 0 }
             /^## / { is_on = $2 == name }
-            is_on && /^\| [0-9]+ \| [iu][0-9]+ / { if ($2 != bytes) print name ": byte " $2 " follows " bytes; bytes += substr($4, 2) / 8 }
-            END { if (bytes != wanted) print name ": " bytes " bytes, not " wanted }' docs/controllers.md
-        ticks=$(tr '\n' ' ' <"firmware/$name/main.c" | sed -nE 's/.*_PAYLOAD_BYTES, *([0-9]+), .*/\1/p')
+            !/^\|/ { end_table() }
+            is_on && /^\| [0-9]+ \| [iu][0-9]+ / { if ($2 != bytes + 0) print name ": byte " $2 " follows " bytes; bytes += substr($4, 2) / 8 }
+            END { end_table(); if (sizes != wanted) print name ": " sizes " bytes, not " wanted }' docs/controllers.md
+        ticks=$(tr '\n' ' ' <"firmware/$name/main.c" | sed -nE 's/.*_PAYLOAD_BYTES, *[A-Z0-9_]+, *([0-9]+), .*/\1/p')
         items row docs/controllers.md | cut -f2 | grep -q "^| \`$name\` |.*| $((ticks * 10)) ms |" || echo "$name: asks every $((ticks * 10)) ms"
     done
 }

@@ -184,9 +184,9 @@ static void test_that_no_bad_frame_comes_out_with_another_payload(void)
     }
 }
 
-/* A million frames of the size of a radar's with one target in which each bit is wrong with a probability of 2 %. The
- * arithmetic of docs/controllers.md expects 8 that are taken for good, less those whose number does
- * not follow; 19 would be 4 standard deviations more. */
+/* A million frames of the size of a radar's with one target in which each bit is wrong with a
+ * probability of 2 %. The arithmetic of docs/controllers.md expects 8 that are taken for good, less
+ * those whose number does not follow; 19 would be 4 standard deviations more. */
 static void test_that_the_residual_error_rate_is_the_stated_one(void)
 {
     static const uint8_t long_payload[13] = {0, 170, 3, 1, 0x11, 80, 7, 90, 3, 128, 9, 77, 3};
