@@ -31,10 +31,10 @@
 /* A target that closes so fast is braked for where it must be by now, when its echo is missing. */
 #define BRAKE_APPROACH_MMPS 1024U /* a multiple of 256 */
 
-/* For a sensor that measures every 10 ms, an image's choice: what the law wants counts at once up to
- * BRAKE_SUDDEN_PCT, and above that it rises by BRAKE_RISE_PCT a reading. On a brake of 8 m/s2 with
- * a lag of 0.2 s, 60 and 3 keep the jerk below 25 m/s3: that is 62.5 % above what the brake does by
- * then, which itself rises by 3.1 % in 10 ms. STOP and FAULT are sudden. */
+/* For a sensor that measures every 10 ms, an image's choice: what the law wants counts at once up
+ * to BRAKE_SUDDEN_PCT, and above that it rises by BRAKE_RISE_PCT a reading. On a brake of 8 m/s2
+ * with a lag of 0.2 s, 60 and 3 keep the jerk below 25 m/s3: that is 62.5 % above what the brake
+ * does by then, which itself rises by 3.1 % in 10 ms. STOP and FAULT are sudden. */
 #if defined(BRAKE_RISE_PCT) && !RANGE_IS_FAST
 #error BRAKE_RISE_PCT is for a sensor that measures every 10 ms
 #endif

@@ -16,5 +16,7 @@ build/sanitized/unity.o: $(UNITY)/unity.c
 $(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %,build/sanitized/lib%.a,fistab drive bound common)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g $(SANITIZE) $^ $(drive_LIBS) -o $@
+# It runs the program.
+build/tests/tools/test_tfluna_setup: | build/tfluna
 
 -include $(wildcard build/sanitized/*/*/*.d build/sanitized/*/*/*/*.d)
