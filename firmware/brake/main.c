@@ -112,8 +112,6 @@ static void control_step(uint8_t echo)
 
 #if RANGE_IS_TRIGGERED
     is_measuring = false;
-#else
-    triggered = tick; /* the next reading is under way */
 #endif
     if (echo == HAL_RANGE_DONE) {
         dist_mm = range_mm(hal_range_raw());
@@ -176,6 +174,7 @@ static void conclude(uint8_t echo)
     apply();
     report();
 #if !RANGE_IS_TRIGGERED
+    triggered = tick; /* the next reading is under way */
     if (echo == HAL_RANGE_DONE) {
         brake_expect(RANGE_PERIOD_CS);
     }

@@ -3,9 +3,10 @@
  *
  *     59 59   distance in cm   strength   temperature in 1/8 degree + 2048   low byte of their sum
  *
- * Of bytes that are no frame the oldest one is dropped, so whatever came before a frame does not hide
- * it. A good frame is taken as a whole, so 59 59 within it does not begin another. */
+ * Of bytes that are no frame the oldest one is dropped, so whatever came before a frame does not
+ * hide it. A good frame is taken as a whole, so 59 59 within it does not begin another. */
 #include "range.h"
+#include "fixed.h"
 
 #define HEAD        0x59U
 #define FRAME_BYTES 9U
@@ -18,24 +19,33 @@ uint8_t range_taken;
 #define SUMMED_BYTES (FRAME_BYTES - 1U)
 static uint8_t looked_at, sum;
 
-static __idata uint16_t dist_cm, strength; /* of the last good frame */
+/* Whether they are a frame if the next byte is their sum, and what it says then. */
+static __bit is_frame;
+static __idata uint16_t dist_cm;
+static __idata uint8_t strength_kind; /* RANGE_ECHO: as strong as an echo */
 
 #define BYTE(offset)    range_ring[(uint8_t)(range_taken + (offset)) & (RANGE_RING_BYTES - 1U)]
 #define WORD_AT(offset) ((uint16_t)((uint16_t)BYTE((offset) + 1U) << 8 | BYTE(offset)))
 
-/* So many of the oldest bytes are done with. */
-static void drop(uint8_t bytes)
+void range_restart(void)
 {
-    range_taken += bytes;
+    range_taken = range_came;
     looked_at = 0;
     sum = 0;
 }
 
-void range_restart(void)
+static uint8_t kind_of(uint16_t strength)
 {
-    drop((uint8_t)(range_came - range_taken));
+    if (strength == TFLUNA_STRENGTH_BLIND) {
+        return RANGE_NOT_FALLEN;
+    }
+    if (strength < TFLUNA_STRENGTH_MIN) {
+        return RANGE_NO_TARGET;
+    }
+    return RANGE_ECHO;
 }
 
+/* The reading is made ready before its last byte comes, as STOP waits for it from then on. */
 bool range_take(void)
 {
     uint8_t byte;
@@ -46,18 +56,24 @@ bool range_take(void)
     byte = BYTE(looked_at);
     if (looked_at < SUMMED_BYTES) {
         looked_at++;
-        sum += byte;
-        return false;
-    }
-    if (byte != sum || BYTE(0) != HEAD || BYTE(1U) != HEAD) {
-        sum += (uint8_t)(byte - BYTE(0));
+    } else {
+        if (is_frame && byte == sum) {
+            range_taken += FRAME_BYTES;
+            looked_at = 0;
+            sum = 0;
+            return true;
+        }
+        sum -= BYTE(0);
         range_taken++;
-        return false;
     }
-    dist_cm = WORD_AT(2U);
-    strength = WORD_AT(4U);
-    drop(FRAME_BYTES);
-    return true;
+    sum += byte;
+    is_frame = false;
+    if (looked_at == SUMMED_BYTES && BYTE(0) == HEAD && BYTE(1U) == HEAD) {
+        is_frame = true;
+        dist_cm = WORD_AT(2U);
+        strength_kind = kind_of(WORD_AT(4U));
+    }
+    return false;
 }
 
 uint16_t range_raw(void)
@@ -67,19 +83,24 @@ uint16_t range_raw(void)
 
 uint16_t range_mm(uint16_t cm)
 {
-    if (cm > UINT16_MAX / 10U) {
+    uint8_t high = (uint8_t)(cm >> 8);
+
+    if (high >= 25U) {
         return UINT16_MAX;
     }
-    return (uint16_t)((uint16_t)(cm << 3) + (uint16_t)(cm << 1));
+    return (uint16_t)(mul_u8((uint8_t)cm, 10U) + (uint16_t)((uint16_t)mul_u8(high, 10U) << 8));
 }
 
 uint8_t range_kind(uint16_t dist_mm)
 {
-    if (strength == TFLUNA_STRENGTH_BLIND) {
-        return RANGE_NOT_FALLEN;
+    if (strength_kind != RANGE_ECHO) {
+        return strength_kind;
     }
-    if (strength < TFLUNA_STRENGTH_MIN || dist_mm > RANGE_MAX_MM) {
+    if (dist_mm > RANGE_MAX_MM) {
         return RANGE_NO_TARGET;
     }
-    return dist_mm < RANGE_MIN_MM ? RANGE_DEAD_ZONE : RANGE_ECHO;
+    if (dist_mm < RANGE_MIN_MM) {
+        return RANGE_DEAD_ZONE;
+    }
+    return RANGE_ECHO;
 }

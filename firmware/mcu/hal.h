@@ -28,9 +28,9 @@ uint8_t hal_range(void);      /* enum hal_range */
 uint16_t hal_range_raw(void); /* for range_mm: the echo's machine cycles, or cm; valid after DONE */
 bool hal_range_is_busy(void); /* the sensor's line is not at rest; the self-test looks at it */
 
-/* Only of a sensor that measures by itself, each 10 ms: whether a reading that was due has not come.
- * True once, 15 ms after the last reading, and once more for each 10 ms from then on. Ask it in each
- * round. 25 mc. */
+/* Only of a sensor that measures by itself, each 10 ms: whether a reading that was due has not
+ * come. True once, 15 ms after the last reading, and once more for each 10 ms from then on. Ask it
+ * in each round. 20 mc. */
 bool hal_range_is_late(void);
 
 /* Actuators. The brake takes 0..100 %; more counts as 100. The new duty holds from the first PWM

@@ -1,32 +1,47 @@
 /* SPDX-License-Identifier: MIT */
-/* Times the brake's control step as it ships, from the end of an echo to the duty set: brake/main.c
- * but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps, clear roads,
- * missing, stuck and stray echoes, the dead zone, longer pauses and the override; what never came
- * of states and faults, and each STOP that came late to its pin, are the misses. Every other step
- * is taken by poll, as the main loop does it: from there to the STOP pin time is taken, too. */
+/* Times the brake's control step as it ships, from the end of a reading to the duty set:
+ * brake/main.c but for its main. A drive of chance, with targets of up to 35 m/s either way, jumps,
+ * clear roads, missing, stuck and stray readings, the dead zone, longer pauses and the override;
+ * what never came of states and faults, and each STOP that came late to its pin, are the misses.
+ * Every other step is taken by poll, as the main loop does it: from there to the STOP pin time is
+ * taken, too. */
 #include <8052.h>
 #include "step.h"
 #include "hal.h"
+#include "range.h"
 
 uint16_t bench_ticks(void);
 void bench_stop_set(bool on);
+#if RANGE_IS_TRIGGERED
 #define hal_range_raw bench_ticks
-#define hal_stop_set  bench_stop_set
-#define main          brake_main
+#endif
+#define hal_stop_set bench_stop_set
+#define main         brake_main
 #include "../../firmware/brake/main.c"
 #undef main
 #undef hal_stop_set
 
-/* From the poll that sees an echo to the STOP pin, at most, with the PWM's interrupt in between,
- * which takes 44 (build/BOARD/APP.bound) and its call 2. Timer 2 counts, as hal_range stops timer
- * 0. */
+/* From the poll that sees a reading to the STOP pin, at most, with the interrupts in between: the
+ * PWM's, which takes 44 (build/BOARD/APP.bound) and its call 2, and a TF-Luna's, 41 and 2. Timer 2
+ * counts, as hal_range stops timer 0. */
+#if RANGE_IS_TRIGGERED
 #define STOP_MC (300U - 46U)
+#else
+#define STOP_MC (300U - 46U - 43U)
+#endif
 static __idata uint16_t stop_mc; /* from poll on, in this step; 0: not yet */
 static __idata uint8_t slow_stops, stops;
 static __idata uint16_t step_mc; /* of the last step that was timed */
 
 const uint16_t __code bench_steps = 4000;
-#define PLAIN_CS 6U
+
+/* A target's step from one reading to the next is that of 60 ms times 2 to the minus this. */
+#if RANGE_IS_FAST
+#define STEP_SHIFT 3
+#else
+#define STEP_SHIFT 0
+#endif
+#define PLACE_MAX_MM (RANGE_MAX_MM + 200U)
 
 /* An image that never stops never comes there. */
 #if BRAKE_STOP_MM > 0
@@ -35,12 +50,10 @@ const uint16_t __code bench_steps = 4000;
 #define STATES_DUE (((2U << BRAKE_FAULT) - 1U) & ~(1U << BRAKE_STOP))
 #endif
 
-#define TICKS_PER_MM_Q6 ((uint16_t)(CLK_HZ / 12U * 128U / SOUND_MMPS))
-
 static __idata uint16_t noise = 1, n, place_mm;
 static __idata uint8_t faults_seen, states_seen, since_cs;
 static __idata int16_t step_mm; /* nearer, each reading */
-static __idata uint16_t echo_ticks;
+static __idata uint8_t stuck;   /* so many readings still repeat the last one */
 
 /* Galois' shift register of 16 bits. */
 static uint8_t chance(void)
@@ -51,11 +64,6 @@ static uint8_t chance(void)
         noise = noise & 1 ? noise >> 1 ^ 0xB400 : noise >> 1;
     } while (--i != 0);
     return (uint8_t)noise;
-}
-
-uint16_t bench_ticks(void)
-{
-    return echo_ticks;
 }
 
 void bench_stop_set(bool on)
@@ -72,31 +80,47 @@ static void drive(void)
     uint8_t what = chance();
 
     if (what < 16) { /* another one, or the same one somewhere else */
-        place_mm = (uint16_t)((uint16_t)(chance() << 8 | chance()) % 6100U);
+        place_mm = (uint16_t)((uint16_t)(chance() << 8 | chance()) % (PLACE_MAX_MM - 100U));
         step_mm = (int16_t)chance();
         step_mm = what < 4    ? (int16_t)(step_mm << 3)
                   : what < 8  ? (int16_t)-step_mm
                   : what < 12 ? step_mm
                               : 0;
+        step_mm >>= STEP_SHIFT;
     } else if (what < 24) {
         step_mm = (int16_t)(step_mm >> 2);
     } else if (what < 28) { /* a stray reading */
         place_mm ^= 1024;
+    } else if (what < 32) {
+        stuck = 1U << STEP_SHIFT << STEP_SHIFT;
     }
-    if (what >= 32) { /* the rest repeat the last reading */
+    if (stuck != 0) {
+        stuck--;
+    } else {
         place_mm -= (uint16_t)step_mm;
     }
-    if (place_mm > 6200U) {
-        place_mm = step_mm < 0 ? 6200U : 10;
+    if (place_mm > PLACE_MAX_MM) {
+        place_mm = step_mm < 0 ? PLACE_MAX_MM : 10;
         step_mm = -step_mm;
     }
 }
 
-static uint8_t next_echo(void)
+#if RANGE_IS_TRIGGERED
+
+#define TICKS_PER_MM_Q6 ((uint16_t)(CLK_HZ / 12U * 128U / SOUND_MMPS))
+static __idata uint16_t echo_ticks;
+
+uint16_t bench_ticks(void)
+{
+    return echo_ticks;
+}
+
+/* What the sensor says, and the time since it said something. */
+static uint8_t next_reading(void)
 {
     uint8_t what = chance();
 
-    since_cs = PLAIN_CS;
+    since_cs = RANGE_PERIOD_CS;
     if (what < 8) {
         since_cs = (uint8_t)(CLOSING_SPAN_MIN_CS + (chance() & 15));
     }
@@ -110,6 +134,79 @@ static uint8_t next_echo(void)
     return HAL_RANGE_DONE;
 }
 
+static void expect(void)
+{
+    brake_expect(since_cs);
+}
+
+/* So that poll finds the reading. */
+static void show_reading(void)
+{
+    IT0 = 1;
+    IE0 = 1;
+}
+
+#else
+
+static void send(uint8_t byte)
+{
+    RANGE_NEXT = byte;
+    range_came++;
+}
+
+static void send_word(uint16_t word)
+{
+    send((uint8_t)word);
+    send((uint8_t)(word >> 8));
+}
+
+/* What the sensor says, but for the last byte, and the time since it said something. */
+static uint8_t next_reading(void)
+{
+    uint16_t cm = place_mm / 10U, strength = 1000;
+    uint8_t what = chance(), i;
+
+    since_cs = RANGE_PERIOD_CS;
+    if (what < 8) {
+        since_cs = RANGE_PERIOD_CS + (chance() & 15);
+    }
+    if (what >= 252) {
+        return HAL_RANGE_NOT_RISEN;
+    }
+    if (what >= 250) {
+        strength = TFLUNA_STRENGTH_BLIND;
+    } else if (what >= 240) {
+        strength = TFLUNA_STRENGTH_MIN - 1U;
+    }
+    range_restart();
+    send_word(0x5959);
+    send_word(cm);
+    send_word(strength);
+    send_word(0);
+    for (i = 0; i < 8; i++) {
+        range_take();
+    }
+    send((uint8_t)(0x59U + 0x59U + (uint8_t)cm + (uint8_t)(cm >> 8) + (uint8_t)strength +
+                   (uint8_t)(strength >> 8)));
+    return HAL_RANGE_DONE;
+}
+
+/* conclude has expected the first period. */
+static void expect(void)
+{
+    uint8_t cs;
+
+    for (cs = since_cs; cs > RANGE_PERIOD_CS; cs--) {
+        brake_expect(RANGE_PERIOD_CS);
+    }
+}
+
+static void show_reading(void)
+{
+}
+
+#endif
+
 static void pass_time(void)
 {
     uint8_t cs = since_cs;
@@ -120,13 +217,12 @@ static void pass_time(void)
     } while (--cs != 0);
 }
 
-/* An echo as the main loop finds it. Only a STOP that begins counts. */
+/* A reading as the main loop finds it. Only a STOP that begins counts. */
 static void step_by_poll(void)
 {
     stop_mc = brake.stop ? 1 : 0;
     is_measuring = true;
-    IT0 = 1;
-    IE0 = 1;
+    show_reading();
     T2CON = 0;
     TH2 = 0;
     TL2 = 0;
@@ -143,7 +239,7 @@ static void step_by_poll(void)
 
 uint16_t bench_step(uint16_t step)
 {
-    uint8_t echo;
+    uint8_t reading;
 
     n = step;
     if (n == 0) {
@@ -151,17 +247,25 @@ uint16_t bench_step(uint16_t step)
         brake_init(BRAKE_FAULT_NONE);
     }
     drive();
-    echo = next_echo();
-    brake_expect(since_cs);
+    reading = next_reading();
+    expect();
     pass_time();
-    if (echo == HAL_RANGE_DONE && (n & 1U)) {
+    if (reading == HAL_RANGE_DONE && (n & 1U)) {
         step_by_poll();
     } else {
+#if !RANGE_IS_TRIGGERED
+        if (reading == HAL_RANGE_DONE) {
+            hal_range();
+        }
+#endif
         BENCH_START();
-        control_step(echo);
+        control_step(reading);
         step_mc = BENCH_STOP();
         brake_finish();
         apply();
+#if !RANGE_IS_TRIGGERED
+        brake_expect(RANGE_PERIOD_CS);
+#endif
     }
     faults_seen |= 1U << fault_code;
     states_seen |= 1U << brake.state;
