@@ -41,25 +41,37 @@ static void put_all(void)
 static uint16_t take_raw(void)
 {
     uint8_t left = FRAME_BYTES;
+    bool is_good = false;
 
     do {
         RANGE_NEXT = take();
         range_came++;
+        is_good |= range_take();
     } while (--left != 0);
-    while ((uint8_t)(range_came - range_taken) >= FRAME_BYTES) {
-        put(range_take());
-    }
+    put(is_good);
     return range_raw();
 }
 #endif
+
+/* What is foreseen for the next reading. */
+static void expect(uint8_t elapsed_cs)
+{
+#if RANGE_IS_TRIGGERED
+    brake_expect(elapsed_cs);
+#else
+    for (; elapsed_cs != 0; elapsed_cs--) {
+        brake_expect(RANGE_PERIOD_CS);
+    }
+#endif
+    put_u16(closing_foreseen_mm);
+}
 
 static void measure(void)
 {
     uint8_t kind, ticks;
     uint16_t dist_mm;
 
-    brake_expect(take());
-    put_u16(closing_foreseen_mm);
+    expect(take());
     kind = take();
     dist_mm = range_mm(take_raw());
     put_u16(dist_mm);

@@ -31,7 +31,6 @@ uint8_t lut_at(uint8_t row, uint8_t col)
 #ifdef SENSOR_tfluna
 #include "range.h"
 
-enum { FRAME_BYTES = 9 };
 bool lab_push(uint8_t byte);
 
 /* A byte comes, and the main loop looks at it. True: it completes a good frame. */
@@ -39,11 +38,6 @@ bool lab_push(uint8_t byte)
 {
     RANGE_NEXT = byte;
     range_came++;
-    while ((uint8_t)(range_came - range_taken) >= FRAME_BYTES) {
-        if (range_take()) {
-            return true;
-        }
-    }
-    return false;
+    return range_take();
 }
 #endif
