@@ -23,7 +23,7 @@ STEP_MS      ?=#                  time between two readings of the brake's senso
 FAULT_PCT    ?=#                  brake force in FAULT; empty: the board's
 NO_INSTALL   ?=#                  NO_INSTALL=1: install nothing, name what is missing
 UNITY_DIR    ?=#                  a checkout of Unity, instead of Debian's copy
-MUTANTS      ?=#                  what `mutants` looks at, text of a file's name, a function or a line; empty: all
+MUTANTS      ?=#                  what `mutants` looks at, a list's name, or text of a file's name, a function or a line; empty: all
 FUZZ_SECONDS ?= 600#              how long `fuzz` runs
 CFLAGS       ?= -O2 -g#           of the host's programs
 V            ?=#                  V=1 prints each command
@@ -86,7 +86,7 @@ attack:    ## drives of chance, 10,000 for each law of the brake, 400 for each o
 flips:     ## flips every bit of the chip, in five drives of the brake, and says what came of it
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
 test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail
-mutants:   ## changes the firmware in thousands of ways, one at a time; the unit tests must find each
+mutants:   ## changes the firmware, and what judges it, in thousands of ways; a unit test must find each
 fuzz:      ## odd input for fistab, bound, drive and its simulator, for FUZZ_SECONDS in all
 pictures:  ## the pictures in docs/pictures
 $(TARGETS):

@@ -17,7 +17,8 @@
  *     a constant              one more, one less; true is false; a real number: 1 % more
  *     a condition             is its opposite
  *     a statement             is left out
- *     each number of a table  one more, one less */
+ *     a number of a constant  one more, one less; a real number: 1 % more
+ *     or a table of a file */
 #include <clang-c/Index.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -455,6 +456,9 @@ static void mutate_constant(CXCursor cursor)
         char text[60];
 
         text_between(from, to, text, sizeof text);
+        if (strtod(text, NULL) == 0 && strspn(text, "0.") == strlen(text)) {
+            return; /* 1 % of nothing */
+        }
         edit(from, 0, "((");
         edit(to, 0, ")*(1+0.01*IS(%u)))", mutant(start(cursor), "%s -> 1 %% more", text));
         return;
@@ -726,81 +730,111 @@ static bool is_bool_value(CXCursor cursor)
             kind == CXCursor_CallExpr);
 }
 
-/* The numbers of a table; they are changed before main begins. */
-static unsigned table_numbers(CXCursor list, const char *name, char *text, size_t size,
-                              unsigned place)
+/* --- constants of a file ---------------------------------------------------------------------- */
+
+static char *changes; /* statements, of which each changes one number */
+static size_t changes_size, changes_used;
+
+static void add_change(const char *format, ...)
 {
-    struct children *children = children_of(list);
+    va_list values;
 
-    for (unsigned i = 0; i < children->count; i++) {
-        CXCursor child = children->child[i];
-
-        if (kind_of(child) == CXCursor_InitListExpr) {
-            place = table_numbers(child, name, text, size, place);
-        } else if (is_constant(child) && is_integer(child)) {
-            size_t used = strlen(text);
-            unsigned more = mutant(start(child), "%s: number %u one more", name, place);
-            unsigned less = mutant(start(child), "%s: number %u one less", name, place);
-
-            snprintf(text + used, size - used, "_t[%u]+=IS(%u)-IS(%u);", place, more, less);
-            place++;
-        }
+    if (changes_size - changes_used < 200) {
+        changes_size = changes_size * 2 + 10000;
+        changes = grown(changes, changes_size);
     }
-    free(children);
+    va_start(values, format);
+    changes_used +=
+        (size_t)vsnprintf(changes + changes_used, changes_size - changes_used, format, values);
+    va_end(values);
+}
+
+/* The numbers of a table or of a constant that is no table, which has one. */
+static unsigned change_numbers(CXCursor value, unsigned place)
+{
+    if (kind_of(value) == CXCursor_InitListExpr) {
+        struct children *children = children_of(value);
+
+        for (unsigned i = 0; i < children->count; i++) {
+            place = change_numbers(children->child[i], place);
+        }
+        free(children);
+    } else if (is_constant(value) && is_real(value)) {
+        add_change("_t[%u]*=1+0.01*IS(%u);", place,
+                   mutant(start(value), "%s: number %u 1 %% more", function, place));
+        place++;
+    } else if (is_constant(value) && is_integer(value)) {
+        unsigned more = mutant(start(value), "%s: number %u one more", function, place);
+        unsigned less = mutant(start(value), "%s: number %u one less", function, place);
+
+        add_change("_t[%u]+=IS(%u)-IS(%u);", place, more, less);
+        place++;
+    }
     return place;
 }
 
-#define TABLE_TEXT_BYTES 1000000UL
+static bool is_of_numbers(CXType type)
+{
+    return type.kind == CXType_Double || (type.kind > CXType_Bool && type.kind <= CXType_Int128);
+}
 
-static void visit_table(CXCursor variable)
+static void drop_const(size_t from, size_t to)
+{
+    for (char *c = source + from; c < source + to; c++) {
+        if (strncmp(c, "const ", 6) == 0) {
+            edit((size_t)(c - source), 6, "");
+        }
+    }
+}
+
+/* They are changed before main begins. */
+static void visit_constant(CXCursor variable)
 {
     struct children *children = children_of(variable);
-    CXCursor list = clang_getNullCursor();
     CXType type = type_of(variable);
     CXString name = clang_getCursorSpelling(variable);
     size_t from = begin_of(variable), to = end_of(variable);
-    char *text, *c;
+    CXCursor value = clang_getNullCursor();
+    bool is_const = clang_isConstQualifiedType(type);
     static const char *const integers[] = {[1] = "unsigned char",
                                            [2] = "unsigned short",
                                            [4] = "unsigned",
                                            [8] = "unsigned long long"};
 
-    for (unsigned i = 0; i < children->count; i++) {
-        if (kind_of(children->child[i]) == CXCursor_InitListExpr) {
-            list = children->child[i];
-        }
+    if (children->count != 0 && end_of(children->child[children->count - 1]) == to) {
+        value = children->child[children->count - 1];
     }
     free(children);
     while (type.kind == CXType_ConstantArray) {
         type = clang_getCanonicalType(clang_getArrayElementType(type));
+        is_const = is_const || clang_isConstQualifiedType(type);
     }
-    if (clang_Cursor_isNull(list) || type_of(variable).kind != CXType_ConstantArray ||
-        type.kind < CXType_Bool || type.kind > CXType_Int128) {
+    if (!is_of_numbers(type) || !is_const ||
+        (clang_Cursor_isNull(value) && clang_Cursor_getStorageClass(variable) != CX_SC_Extern)) {
         clang_disposeString(name);
         return;
     }
-    text = grown(NULL, TABLE_TEXT_BYTES);
-    text[0] = '\0';
-    begin_function(start(variable), clang_getCString(name));
-    (void)table_numbers(list, function, text, TABLE_TEXT_BYTES, 0);
-    for (c = source + from; c < source + to; c++) {
-        if (strncmp(c, "const ", 6) == 0) {
-            edit((size_t)(c - source), 6, "");
-        }
+    drop_const(from, to);
+    if (clang_Cursor_isNull(value)) { /* it is defined elsewhere */
+        clang_disposeString(name);
+        return;
     }
+    changes_used = 0;
+    begin_function(start(variable), clang_getCString(name));
+    (void)change_numbers(value, 0);
     to += strcspn(source + to, ";") + 1;
-    edit(
-        to, 0,
-        "__attribute__((constructor)) static void _table%u(void){mutant_enter(%u);%s*_t=(void*)%s;",
-        ++temporaries, function_number, integers[clang_Type_getSizeOf(type)], function);
-    for (c = text; *c != '\0';) {
-        size_t length = strcspn(c, ";") + 1;
+    edit(to, 0,
+         "__attribute__((constructor)) static void "
+         "_table%u(void){mutant_enter(%u);%s*_t=(void*)&%s;",
+         ++temporaries, function_number,
+         type.kind == CXType_Double ? "double" : integers[clang_Type_getSizeOf(type)], function);
+    for (size_t at = 0; at < changes_used;) {
+        size_t length = strcspn(changes + at, ";") + 1;
 
-        edit(to, 0, "%.*s", (int)length, c);
-        c += length;
+        edit(to, 0, "%.*s", (int)length, changes + at);
+        at += length;
     }
     edit(to, 0, "}");
-    free(text);
     clang_disposeString(name);
 }
 
@@ -808,6 +842,9 @@ static void visit(CXCursor cursor)
 {
     struct children *children;
 
+    if (kind_of(cursor) == CXCursor_UnaryExpr) { /* sizeof: what the compiler knows */
+        return;
+    }
     if (clang_isExpression(kind_of(cursor)) && is_constant(cursor)) {
         mutate_constant(cursor);
         return;
@@ -845,11 +882,9 @@ static void visit(CXCursor cursor)
         visit_condition(children->child[1]);
         free(children);
         return;
-    case CXCursor_CaseStmt: /* the label must stay a constant */
+    case CXCursor_CaseStmt: /* its labels, one or the two ends of a range, must stay constants */
         children = children_of(cursor);
-        for (unsigned i = 1; i < children->count; i++) {
-            visit_statement(children->child[i], false);
-        }
+        visit_statement(children->child[children->count - 1], false);
         free(children);
         return;
     case CXCursor_DefaultStmt:
@@ -890,8 +925,10 @@ static void visit(CXCursor cursor)
         }
         free(children);
         return;
-    case CXCursor_UnaryExpr: /* sizeof */
     case CXCursor_TypeRef:
+    case CXCursor_EnumDecl: /* must stay constants */
+    case CXCursor_StructDecl:
+    case CXCursor_StaticAssert:
         return;
     default:
         visit_all(cursor);
@@ -913,8 +950,9 @@ static enum CXChildVisitResult visit_top(CXCursor cursor, CXCursor parent, CXCli
         visit(children->child[children->count - 1]);
         free(children);
         clang_disposeString(name);
-    } else if (kind_of(cursor) == CXCursor_VarDecl && is_in_a_room(cursor)) {
-        visit_table(cursor);
+    } else if (kind_of(cursor) == CXCursor_VarDecl &&
+               (is_in_a_room(cursor) || clang_Cursor_getStorageClass(cursor) == CX_SC_Extern)) {
+        visit_constant(cursor);
     }
     return CXChildVisit_Continue;
 }

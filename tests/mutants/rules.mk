@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Mutants: the unit tests, linked with the firmware and all its mutants (mutate.c); run.c judges each.
+# Mutants: tests, linked with all mutants of what they test (mutate.c); run.c judges each. A room is what one
+# list of mutants is made of: the firmware's logic, and each part of the tools that judges the firmware.
 LLVM       := $(patsubst %/include/clang-c/Index.h,%,$(lastword $(wildcard /usr/lib/llvm-*/include/clang-c/Index.h)))
 MUTANT_DIR := build/mutants
-
-# Where mutants are made.
-MUTANT_ROOMS := firmware/brake/:firmware/frames/:firmware/lib/
 
 $(MUTANT_DIR)/mutate: tests/mutants/mutate.c
 	@mkdir -p $(@D)
@@ -14,38 +12,82 @@ $(MUTANT_DIR)/run: tests/mutants/run.c
 	$(Q)$(CC) -O2 $(HOST_FLAGS) $< -o $@
 $(MUTANT_DIR)/mutant.o: tests/mutants/mutant.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) -O2 $(HOST_FLAGS) -c $< -o $@
+	$(Q)$(CC) -O2 $(HOST_FLAGS) $(UNITY_FLAGS) -c $< -o $@
+$(MUTANT_DIR)/unity.o: $(UNITY)/unity.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O2 -w -c $< -o $@
 
 # Undefined behaviour ends a program, so that it finds a mutant; what has no value gets an odd one.
 MUTANT_C     := clang -std=gnu11 -D_GNU_SOURCE -w -ftrivial-auto-var-init=pattern
 MUTANT_TRAPS := -fsanitize=undefined -fsanitize-trap=undefined
-
-# The unit tests and what they are linked of.
-MUTANT_UNITS := $(UNIT_TESTS:build/%=$(MUTANT_DIR)/tests/%)
-MUTANT_I     := $(patsubst %.c,$(MUTANT_DIR)/%.i,$(LOGIC_SRC) $(UNIT_TESTS:build/%=tests/%.c))
-$(MUTANT_DIR)/%.i: %.c build/unit/lut_table.h
-	@mkdir -p $(@D)
-	$(Q)$(MUTANT_C) -E -MMD -MP $(UNIT_FLAGS) $< -o $@
-$(foreach image,$(UNIT_TABLES),$(eval $(MUTANT_DIR)/tests/unit/test_$(image).i: UNIT_FLAGS := -Ibuild/unit/$(image) $(UNIT_FLAGS)))
-$(foreach image,$(UNIT_TABLES),$(eval $(MUTANT_DIR)/tests/unit/test_$(image).i: build/unit/$(image)/lut_table.h))
-
-$(MUTANT_DIR)/list: $(MUTANT_DIR)/mutate $(MUTANT_I)
-	$(Q)$< $@ $(MUTANT_ROOMS) $(foreach file,$(MUTANT_I),$(file) $(file:%.i=%.mutants.c))
-$(MUTANT_I:%.i=%.mutants.c): $(MUTANT_DIR)/list ;
-$(MUTANT_I:%.i=%.o): %.o: %.mutants.c tests/mutants/mutant.h
-	$(Q)$(MUTANT_C) -O2 -I. $(MUTANT_TRAPS) -c $< -o $@
-$(MUTANT_DIR)/unity.o: $(UNITY)/unity.c
-	@mkdir -p $(@D)
-	$(Q)$(CC) -O2 -w -c $< -o $@
-$(MUTANT_DIR)/logic.a: $(LOGIC_SRC:%.c=$(MUTANT_DIR)/%.o)
-	$(Q)rm -f $@; ar rcs $@ $^
 # Unity jumps out of a case that fails; here that ends the program (mutant.c).
-$(MUTANT_UNITS): %: %.o $(MUTANT_DIR)/unity.o $(MUTANT_DIR)/logic.a $(MUTANT_DIR)/mutant.o
-	$(Q)$(CC) -Wl,--wrap=longjmp $^ -lm -o $@
+MUTANT_LINK  := $(CC) -Wl,--wrap=longjmp,--wrap=UnityDefaultTestRun
 
+# The firmware. A unit test may include a file of the firmware as source, so mutants are in the tests' objects, too.
+MUTANT_ROOMS := firmware
+firmware_PLACES   := firmware/brake/ firmware/frames/ firmware/lib/
+firmware_FILES    := $(LOGIC_SRC) $(UNIT_TESTS:build/%=tests/%.c)
+firmware_PROGRAMS := $(UNIT_TESTS:build/%=$(MUTANT_DIR)/firmware/%)
+
+# The tools: their files without the tables of a scenario's keys, and their tests, which are those that include one
+# of their headers, where there is nothing else said.
+sensors_FILES      := $(addprefix tools/drive/plant/,head.c sensor.c sonar.c tfluna.c)
+plants_FILES       := $(filter-out %_keys.c $(sensors_FILES),$(wildcard tools/drive/plant/*.c))
+expectations_FILES := $(addprefix tools/drive/,scenario/expect.c world/pace.c world/rig.c)
+bound_FILES        := $(filter-out %/main.c,$(wildcard tools/bound/*.c))
+bound_TESTS        := tests/tools/test_bound.c
+mcs52_FILES        := $(wildcard tools/drive/sim/mcs52*.c)
+mcs52_TESTS        := $(wildcard tests/tools/test_mcs52*.c)
+TOOL_ROOMS         := plants
+MUTANT_ROOMS       += $(TOOL_ROOMS)
+
+define tool_room
+$(1)_PLACES   := $$($(1)_FILES:%.c=%.)
+$(1)_TESTS    ?= $$(shell grep -lE '"(.*/)?($$(subst $$() ,|,$$(notdir $$(basename $$($(1)_FILES)))))\.h"' tests/tools/test_*.c)
+$(1)_PROGRAMS := $$($(1)_TESTS:%.c=$(MUTANT_DIR)/$(1)/%)
+$(MUTANT_DIR)/$(1)/%.i: MUTANT_FLAGS := $$(TOOL_MUTANT_FLAGS)
+$$($(1)_PROGRAMS): $(MUTANT_DIR)/$(1)/%: $(MUTANT_DIR)/plain/%.o $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o) $(MUTANT_DIR)/plain/tools.a
+endef
+TOOL_MUTANT_FLAGS = $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
+$(foreach room,$(TOOL_ROOMS),$(eval $(call tool_room,$(room))))
+$(MUTANT_DIR)/plain/%.o: %.c | build/boards.h build/worlds.h
+	@mkdir -p $(@D)
+	$(Q)$(MUTANT_C) -O2 -MMD -MP $(TOOL_MUTANT_FLAGS) $(MUTANT_TRAPS) -c $< -o $@
+MUTANT_PLAIN := $(filter-out %/main.c,$(COMMON_SRC) $(foreach tool,drive bound,$(filter tools/$(tool)/%,$($(tool)_SRC))))
+$(MUTANT_DIR)/plain/tools.a: $(MUTANT_PLAIN:%.c=$(MUTANT_DIR)/plain/%.o)
+	$(Q)rm -f $@; ar rcs $@ $^
+
+define mutant_room
+$(MUTANT_DIR)/$(1)/%.i: %.c build/unit/lut_table.h | build/boards.h build/worlds.h
+	@mkdir -p $$(@D)
+	$$(Q)$(MUTANT_C) -E -MMD -MP $$(MUTANT_FLAGS) $$< -o $$@
+$(MUTANT_DIR)/$(1)/list: $(MUTANT_DIR)/mutate $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.i)
+	$$(Q)$$< $$@ $$(subst $$() ,:,$$($(1)_PLACES)) $$(foreach file,$$(filter %.i,$$^),$$(file) $$(file:%.i=%.mutants.c))
+$$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.mutants.c): $(MUTANT_DIR)/$(1)/list ;
+$$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o): %.o: %.mutants.c tests/mutants/mutant.h
+	$$(Q)$(MUTANT_C) -O2 -I. $(MUTANT_TRAPS) -c $$< -o $$@
+$$($(1)_PROGRAMS): $(MUTANT_DIR)/unity.o $(MUTANT_DIR)/mutant.o
+	@mkdir -p $$(@D)
+	$$(Q)$(MUTANT_LINK) $$^ $(drive_LIBS) -o $$@
+.PHONY: run-mutants-$(1)
+run-mutants-$(1): $(MUTANT_DIR)/run $$($(1)_PROGRAMS)
+	@$(MUTANT_DIR)/run $(if $(filter-out $(MUTANT_ROOMS),$(MUTANTS)),--only='$(MUTANTS)') $(1) $(MUTANT_DIR)/$(1)/list \
+	    tests/mutants/survivors/$(1).txt $$($(1)_PROGRAMS)
+endef
+$(foreach room,$(MUTANT_ROOMS),$(eval $(call mutant_room,$(room))))
+
+$(MUTANT_DIR)/firmware/%.i: MUTANT_FLAGS := $(UNIT_FLAGS)
+$(foreach image,$(UNIT_TABLES),$(eval $(MUTANT_DIR)/firmware/tests/unit/test_$(image).i: MUTANT_FLAGS := -Ibuild/unit/$(image) $(UNIT_FLAGS)))
+$(foreach image,$(UNIT_TABLES),$(eval $(MUTANT_DIR)/firmware/tests/unit/test_$(image).i: build/unit/$(image)/lut_table.h))
+$(MUTANT_DIR)/firmware/logic.a: $(LOGIC_SRC:%.c=$(MUTANT_DIR)/firmware/%.o)
+	$(Q)rm -f $@; ar rcs $@ $^
+$(firmware_PROGRAMS): $(MUTANT_DIR)/firmware/unit/%: $(MUTANT_DIR)/firmware/tests/unit/%.o $(MUTANT_DIR)/firmware/logic.a
+
+# MUTANTS may name a room.
 .PHONY: run-mutants
 run-mutants:
-	@$(MAKE) -j$$(nproc) $(MUTANT_DIR)/run $(MUTANT_UNITS)
-	@$(MUTANT_DIR)/run $(if $(MUTANTS),--only='$(MUTANTS)') $(MUTANT_DIR)/list tests/mutants/equivalent.txt $(MUTANT_UNITS)
+	@status=0; for room in $(or $(filter $(MUTANT_ROOMS),$(MUTANTS)),$(MUTANT_ROOMS)); do \
+	    $(MAKE) -j$$(nproc) run-mutants-$$room || status=1; \
+	done; exit $$status
 
--include $(wildcard $(MUTANT_DIR)/*/*/*.d)
+-include $(wildcard $(MUTANT_DIR)/*/*/*/*.d $(MUTANT_DIR)/*/*/*/*/*.d)

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Runs tests on each mutant of a LIST (mutate.c):
- *     run [--only=TEXT] [--sample=N] LIST EQUIVALENT PROGRAM...
- * A PROGRAM is a test that is linked with all mutants, a command with its arguments. It must pass
- * while no mutant is alive. A mutant is found when one of the programs that reach it fails or
- * crashes, or takes twice as many rounds of its loops as without the mutant, or 10 times the
+ *     run [--only=TEXT] [--share=PERCENT] ROOM LIST SURVIVORS PROGRAM...
+ * A PROGRAM is a test by Unity that is linked with all mutants. Each of its cases must pass alone
+ * while no mutant is alive. A mutant is found when one of the cases that reach its function fails
+ * or crashes, or takes twice as many rounds of its loops as without the mutant, or 10 times the
  * processor's time.
  *
- * EQUIVALENT lists the mutants that no test can find: one a line, as this program prints them,
- * below lines that begin with # and say why. An empty line ends what a reason is for.
+ * SURVIVORS lists the mutants that no test finds: one a line, as this program prints them, below
+ * lines that begin with # and say why no test can. An empty line ends what a reason is for. Where
+ * the reason begins with "# Open:", nobody has found a reason yet; these are counted apart.
  *
- * --only: the mutants whose file, function, line or change has that text. --sample: so many, drawn
- * by chance, the same ones each time.
+ * --only: the mutants whose file, function, line or change has that text. --share: that part of
+ * them, drawn by chance, the same ones each time.
  *
  * Prints each mutant that survives and is not listed, and each listed one that is found or does not
- * exist; ends with 1 if there is one of these. The last line counts. */
+ * exist; ends with 1 if there is one of these. The last line counts, for ROOM. */
 #include <fcntl.h>
 #include <getopt.h>
 #include <stdbool.h>
@@ -26,11 +27,13 @@
 #include <unistd.h>
 #include "mutant.h"
 
-enum { PROGRAMS_MAX = 200, LINE_BYTES = 2000, CPU_LEAST_S = 3, WORDS_MAX = 20 };
+enum { CASES_MAX = 3000, LINE_BYTES = 2000, CPU_LEAST_S = 1, LONG_S = 60 };
 enum { ROUNDS_TIMES = 2, ROUNDS_LEAST = 100000, SECONDS_TIMES = 10 };
 
-struct program {
-    char *command;
+/* A case of a program; its functions are those that it reaches alone. */
+struct test_case {
+    const char *program;
+    unsigned number;
     double seconds;
     unsigned long long rounds;
     unsigned char *reached;
@@ -40,11 +43,11 @@ struct mutant {
     char *key; /* NULL: no such mutant */
     unsigned function, line;
     pid_t pid; /* of who judges it */
-    bool is_chosen, is_listed, is_found;
+    bool is_chosen, is_listed, is_open, is_found;
 };
 
-static struct program programs[PROGRAMS_MAX];
-static unsigned program_count;
+static struct test_case cases[CASES_MAX];
+static unsigned case_count;
 static struct mutant mutants[MUTANTS_MAX];
 static unsigned last; /* the highest number */
 
@@ -54,35 +57,26 @@ static void fail(const char *which, const char *what)
     exit(2);
 }
 
-static void split(char *text, char **words)
-{
-    unsigned count = 0;
-
-    for (char *word = strtok(text, " "); word != NULL && count + 1 < WORDS_MAX;
-         word = strtok(NULL, " ")) {
-        words[count++] = word;
-    }
-    words[count] = NULL;
-}
-
-/* Runs a program with one mutant alive; returns its status as waitpid gives it. */
-static int run_program(const struct program *program, unsigned mutant, unsigned long long rounds,
-                       const char *reached, struct rusage *usage)
+/* Runs a case with one mutant alive; returns its status as waitpid gives it. */
+static int run_case(const struct test_case *test, unsigned mutant, unsigned long long rounds,
+                    const char *reached, struct rusage *usage)
 {
     pid_t pid = fork();
     int status = 0;
 
     if (pid == 0) {
-        char number[30], limit[30], *words[WORDS_MAX];
+        char number[30], limit[30], alone[30];
         int nowhere = open("/dev/null", O_RDWR);
-        rlim_t most_s = (rlim_t)(program->seconds * SECONDS_TIMES) + CPU_LEAST_S;
+        rlim_t most_s = (rlim_t)(test->seconds * SECONDS_TIMES) + CPU_LEAST_S;
         struct rlimit seconds = {most_s, most_s};
         struct rlimit no_core = {0, 0};
 
         snprintf(number, sizeof number, "%u", mutant);
         snprintf(limit, sizeof limit, "%llu", rounds);
+        snprintf(alone, sizeof alone, "%u", test->number);
         setenv("MUTANT", number, 1);
         setenv("MUTANT_ROUNDS", limit, 1);
+        setenv("MUTANT_CASE", alone, 1);
         if (reached != NULL) {
             setenv("MUTANT_REACHED", reached, 1);
         }
@@ -91,60 +85,77 @@ static int run_program(const struct program *program, unsigned mutant, unsigned 
         dup2(nowhere, 2);
         setrlimit(RLIMIT_CPU, &seconds);
         setrlimit(RLIMIT_CORE, &no_core);
-        split(program->command, words);
-        execv(words[0], words);
+        execl(test->program, test->program, (char *)NULL);
         _exit(127);
     }
     if (pid < 0 || wait4(pid, &status, 0, usage) != pid) {
-        fail(program->command, "cannot be started");
+        fail(test->program, "cannot be started");
     }
     return status;
 }
 
-/* Without a mutant: it must pass, and says what it reaches. */
-static void measure(struct program *program)
+/* Runs case NUMBER, or all cases for 0, without a mutant: it must pass, and says what it reaches.
+ * Returns the number of the program's cases. */
+static unsigned measure(struct test_case *test, const char *program, unsigned number)
 {
-    enum { LONG_S = 60 };
     char path[] = "/tmp/mutants.XXXXXX";
     struct rusage usage;
     FILE *file;
     int made = mkstemp(path);
+    unsigned count;
 
     if (made < 0) {
         fail(path, "cannot be made");
     }
     close(made);
-    program->seconds = LONG_S;
-    if (run_program(program, 0, ~0ULL, path, &usage) != 0) {
-        fail(program->command, "fails without a mutant; see what it prints");
+    *test = (struct test_case){program, number, LONG_S, 0, calloc(FUNCTIONS_MAX, 1)};
+    if (run_case(test, 0, ~0ULL, path, &usage) != 0) {
+        char text[LINE_BYTES];
+
+        snprintf(text, sizeof text, "%s MUTANT_CASE=%u", program, number);
+        fail(text, "fails without a mutant; see what it prints");
     }
-    program->seconds = (double)usage.ru_utime.tv_sec + (double)usage.ru_utime.tv_usec / 1e6;
-    program->reached = calloc(FUNCTIONS_MAX, 1);
+    test->seconds = (double)usage.ru_utime.tv_sec + (double)usage.ru_utime.tv_usec / 1e6;
     file = fopen(path, "r");
-    if (program->reached == NULL || file == NULL || fscanf(file, "%llu", &program->rounds) != 1 ||
-        getc(file) != '\n' || fread(program->reached, 1, FUNCTIONS_MAX, file) != FUNCTIONS_MAX) {
-        fail(program->command, "does not say what it reaches; is it linked with mutant.c?");
+    if (test->reached == NULL || file == NULL ||
+        fscanf(file, "%u %llu", &count, &test->rounds) != 2 || getc(file) != '\n' ||
+        fread(test->reached, 1, FUNCTIONS_MAX, file) != FUNCTIONS_MAX) {
+        fail(program, "does not say what it reaches; is it linked with mutant.c?");
     }
     fclose(file);
     unlink(path);
+    return count;
 }
 
-static int compare_programs(const void *a, const void *b)
+static void measure_cases(const char *program)
 {
-    const struct program *x = a, *y = b;
+    struct test_case all;
+    unsigned count = measure(&all, program, 0);
+
+    free(all.reached);
+    for (unsigned i = 1; i <= count; i++) {
+        if (case_count == CASES_MAX) {
+            fail(program, "has too many cases");
+        }
+        (void)measure(&cases[case_count++], program, i);
+    }
+}
+
+static int compare_cases(const void *a, const void *b)
+{
+    const struct test_case *x = a, *y = b;
 
     return x->seconds < y->seconds ? -1 : x->seconds > y->seconds;
 }
 
 static bool is_found(unsigned mutant)
 {
-    for (unsigned i = 0; i < program_count; i++) {
-        const struct program *program = &programs[i];
+    for (unsigned i = 0; i < case_count; i++) {
+        const struct test_case *test = &cases[i];
         struct rusage usage;
 
-        if (program->reached[mutants[mutant].function] &&
-            run_program(program, mutant, program->rounds * ROUNDS_TIMES + ROUNDS_LEAST, NULL,
-                        &usage) != 0) {
+        if (test->reached[mutants[mutant].function] &&
+            run_case(test, mutant, test->rounds * ROUNDS_TIMES + ROUNDS_LEAST, NULL, &usage) != 0) {
             return true;
         }
     }
@@ -153,8 +164,8 @@ static bool is_found(unsigned mutant)
 
 static bool is_reached(unsigned mutant)
 {
-    for (unsigned i = 0; i < program_count; i++) {
-        if (programs[i].reached[mutants[mutant].function]) {
+    for (unsigned i = 0; i < case_count; i++) {
+        if (cases[i].reached[mutants[mutant].function]) {
             return true;
         }
     }
@@ -247,12 +258,13 @@ static unsigned find_mutant(const char *key)
 }
 
 /* Returns the number of wrong lines. */
-static unsigned read_equivalent(const char *path)
+static unsigned read_survivors(const char *path)
 {
+    static const char open[] = "# Open:";
     FILE *file = open_list(path);
     char line[LINE_BYTES];
     unsigned wrong = 0, number = 0;
-    bool has_reason = false;
+    bool has_reason = false, is_open = false;
 
     while (fgets(line, sizeof line, file) != NULL) {
         unsigned mutant;
@@ -260,6 +272,8 @@ static unsigned read_equivalent(const char *path)
         number++;
         line[strcspn(line, "\n")] = '\0';
         if (line[0] == '#' || line[0] == '\0') {
+            is_open = line[0] == '#' &&
+                      ((has_reason && is_open) || strncmp(line, open, strlen(open)) == 0);
             has_reason = line[0] == '#';
             continue;
         }
@@ -273,37 +287,31 @@ static unsigned read_equivalent(const char *path)
             wrong++;
         } else {
             mutants[mutant].is_listed = true;
+            mutants[mutant].is_open = is_open;
         }
     }
     fclose(file);
     return wrong;
 }
 
-/* Keeps that many of the chosen ones. */
-static void draw(unsigned wanted)
+/* Keeps so many percent of the chosen ones, by their text, so that the others stay the same when one
+ * comes or goes. */
+static void draw(unsigned share_pct)
 {
-    uint64_t random = 88172645463325252U;
-    unsigned chosen = 0;
-
     for (unsigned i = 1; i <= last; i++) {
-        chosen += mutants[i].is_chosen;
-    }
-    while (chosen > wanted) {
-        unsigned i;
+        uint64_t hash = 14695981039346656037U; /* FNV-1a */
 
-        random ^= random << 13;
-        random ^= random >> 7;
-        random ^= random << 17;
-        i = 1 + (unsigned)((random >> 32) % last);
-        chosen -= mutants[i].is_chosen;
-        mutants[i].is_chosen = false;
+        for (const char *c = mutants[i].is_chosen ? mutants[i].key : ""; *c != '\0'; c++) {
+            hash = (hash ^ (unsigned char)*c) * 1099511628211U;
+        }
+        mutants[i].is_chosen = mutants[i].is_chosen && (hash >> 32) % 100 < share_pct;
     }
 }
 
 /* Prints what is wrong, and the counts; returns whether all is well. */
-static bool report(const char *equivalent, unsigned wrong)
+static bool report(const char *room, const char *survivors, unsigned wrong)
 {
-    unsigned chosen = 0, found = 0, listed = 0, survived = 0;
+    unsigned chosen = 0, found = 0, equivalent = 0, open = 0, unlisted = 0;
 
     for (unsigned i = 1; i <= last; i++) {
         const struct mutant *mutant = &mutants[i];
@@ -315,51 +323,54 @@ static bool report(const char *equivalent, unsigned wrong)
         found += mutant->is_found;
         if (mutant->is_found && mutant->is_listed) {
             wrong++;
-            printf("%s: error: a test finds this mutant; delete its line:\n%s\n", equivalent,
+            printf("%s: error: a test finds this mutant; delete its line:\n%s\n", survivors,
                    mutant->key);
         } else if (!mutant->is_found && mutant->is_listed) {
-            listed++;
+            open += mutant->is_open;
+            equivalent += !mutant->is_open;
         } else if (!mutant->is_found) {
-            survived++;
+            unlisted++;
             printf("%.*s:%u: error: no test %s this mutant; write one, or add it to %s:\n%s\n",
                    (int)strcspn(mutant->key, "\t"), mutant->key, mutant->line,
-                   is_reached(i) ? "finds" : "reaches", equivalent, mutant->key);
+                   is_reached(i) ? "finds" : "reaches", survivors, mutant->key);
         }
     }
-    printf("%u mutants: %u found, %u equivalent, %u survived\n", chosen, found, listed, survived);
-    return survived == 0 && wrong == 0;
+    printf("%s: %u mutants: %u found; %u survive: %u equivalent, %u open, %u not listed\n", room,
+           chosen, found, equivalent + open + unlisted, equivalent, open, unlisted);
+    return unlisted == 0 && wrong == 0;
 }
 
 int main(int count, char **args)
 {
     static const struct option options[] = {
-        {"only", required_argument, NULL, 'o'}, {"sample", required_argument, NULL, 's'}, {0}};
-    const char *only = NULL, *equivalent;
-    unsigned sample = MUTANTS_MAX, wrong;
+        {"only", required_argument, NULL, 'o'}, {"share", required_argument, NULL, 's'}, {0}};
+    const char *only = NULL, *room, *survivors;
+    unsigned share_pct = 100, wrong;
     int option;
 
     while ((option = getopt_long(count, args, "", options, NULL)) != -1) {
         if (option == 'o') {
             only = optarg;
         } else if (option == 's') {
-            sample = (unsigned)strtoul(optarg, NULL, 10);
+            share_pct = (unsigned)strtoul(optarg, NULL, 10);
         } else {
             return 2;
         }
     }
-    if (count - optind < 3 || count - optind - 2 > PROGRAMS_MAX) {
-        fprintf(stderr, "usage: run [--only=TEXT] [--sample=N] LIST EQUIVALENT PROGRAM...\n");
+    if (count - optind < 4) {
+        fprintf(stderr,
+                "usage: run [--only=TEXT] [--share=PERCENT] ROOM LIST SURVIVORS PROGRAM...\n");
         return 2;
     }
+    room = args[optind++];
     read_mutants(args[optind++], only);
-    equivalent = args[optind++];
-    wrong = read_equivalent(equivalent);
-    draw(sample);
+    survivors = args[optind++];
+    wrong = read_survivors(survivors);
+    draw(share_pct);
     while (optind < count) {
-        programs[program_count].command = args[optind++];
-        measure(&programs[program_count++]);
+        measure_cases(args[optind++]);
     }
-    qsort(programs, program_count, sizeof *programs, compare_programs);
+    qsort(cases, case_count, sizeof *cases, compare_cases);
     judge_all();
-    return report(equivalent, wrong) ? 0 : 1;
+    return report(room, survivors, wrong) ? 0 : 1;
 }

@@ -54,7 +54,11 @@ static void test_that_it_stops_at_y_0(void)
     truck.speed_mps = 2;
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1.5, truck_drive(&truck, 0, 10));
     expect(&truck, 4, 0, pi / 2);
-    TEST_ASSERT_EQUAL_DOUBLE(0, truck.y_m);
+    for (int i = 1; i < 100; i++) {
+        truck = truck_at(4, 0.1 * i, pi * i / 101);
+        truck_drive(&truck, 0, 1000);
+        TEST_ASSERT_EQUAL_DOUBLE(0, truck.y_m);
+    }
 }
 
 /* From along x, a quarter of the circle takes pi m: 2 m back and 2 m to the side. */
