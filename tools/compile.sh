@@ -4,29 +4,42 @@
 #     tools/compile.sh FILE.c FILE.rel SDCC FLAG...
 # Images and boards have most files in common. What the preprocessor makes of a file decides what the compiler
 # makes of it. So each such text is compiled once and kept in build/objects, from where the others copy it.
+# A folder of build/objects appears as a whole, with what was compiled in a folder of its own: two makes at
+# once, or one that is interrupted, leave nothing wrong there.
 set -eu
 source=$1 object=$2
 shift 2
-[ -d "${object%/*}" ] || mkdir -p "${object%/*}"
-"$@" -MMD -E "$source" -o "$object"
-{
-    echo "${SDCC_VERSION:-}"
-    for flag; do
-        # Defines and folders of headers have done their work.
-        case $flag in -D* | -U* | -I*) ;; *) echo "$flag" ;; esac
-    done
-    cat tools/no_atomics.sh "$object"
-} | sha256sum | {
-    read -r key _
-    kept=build/objects/$key
-    if [ ! -d "$kept" ]; then
-        "$@" -c "$source" -o "$object"
-        tools/no_atomics.sh "$object"
-        new=$(mktemp -d -p build kept.XXXXXX)
-        cp "$object" "${object%.rel}.asm" "${object%.rel}.lst" "$new"
-        mkdir -p build/objects
-        # Another process may have compiled the same meanwhile.
-        mv -T "$new" "$kept" 2>/dev/null || rm -r "$new"
-    fi
-    cp "$kept"/* "${object%/*}"
+folder=${object%/*} name=${object##*/}
+depends=${object%.rel}.d
+[ -d "$folder" ] || mkdir -p "$folder"
+# With its comments: the listing carries them, and tools/bound reads them there.
+text=$("$@" -E "-Wp,-C,-MMD,$depends,-MT,$object" "$source")
+flags=${SDCC_VERSION:-}
+for flag; do
+    # Defines and folders of headers have done their work.
+    case $flag in -D* | -U* | -I*) ;; *) flags="$flags $flag" ;; esac
+done
+sums=$(printf '%s\n' "$flags" "$text" | sha256sum - tools/no_atomics.sh)
+# The two sums stand at the begin of two lines.
+kept=build/objects/${sums%% *}-${sums#*-
 }
+kept=${kept%% *}
+if [ ! -d "$kept" ]; then
+    new=$(mktemp -d -p build kept.XXXXXX)
+    trap 'rm -rf "$new"' EXIT
+    trap 'exit 1' HUP INT TERM
+    "$@" -c "$source" -o "$new/$name"
+    tools/no_atomics.sh "$new/$name"
+    while read -r files; do
+        for file in ${files%\\}; do
+            [ ! "$file" -nt "$depends" ] || [ "$file" = "$object:" ] || {
+                echo "$file: error: it changed while $source was compiled; run make again" >&2
+                exit 1
+            }
+        done
+    done <"$depends"
+    mkdir -p build/objects
+    # Another process may have compiled the same meanwhile.
+    mv -T "$new" "$kept" 2>/dev/null || [ -d "$kept" ]
+fi
+cp "$kept"/* "$folder"

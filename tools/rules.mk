@@ -28,7 +28,7 @@ build/host/%.o: %.c | build/boards.h build/worlds.h
 	$(Q)$(CC) $(CFLAGS) $(HOST_FLAGS) -c $< -o $@
 build/sanitized/%.o: %.c | build/boards.h build/worlds.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) -g -Og $(SANITIZE) $(HOST_FLAGS) -c $< -o $@
+	$(Q)$(CC) -g1 -Og $(SANITIZE) $(HOST_FLAGS) -c $< -o $@
 
 .PHONY: run-demo
 run-demo: tools

@@ -27,7 +27,7 @@ $(STEPS_OUT)/$(1)/steps.ihx: $(patsubst %,$(STEPS_OUT)/$(1)/%.rel,chip words lib
 	$$(Q)$(SDCC) $$^ -o $$@
 $(STEPS_OUT)/$(1)/%.o: %.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp
 	@mkdir -p $$(@D)
-	$$(Q)$(CC) -O2 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) $(DRIVE_ROOMS) -Ibuild -I$(OUT)/$(1) -c $$< -o $$@
+	$$(Q)$(CC) -O0 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) $(DRIVE_ROOMS) -Ibuild -I$(OUT)/$(1) -c $$< -o $$@
 $(STEPS_OUT)/$(1)/steps: $(patsubst %,$(STEPS_OUT)/$(1)/tests/compiler/%.o,host words lib $(controller_of)) \
         $(patsubst %,$(STEPS_OUT)/$(1)/firmware/%.o,$(steps_modules)) $(STEPS_SIM)
 	$$(Q)$(CC) $$^ -lm -o $$@

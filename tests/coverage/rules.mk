@@ -5,7 +5,7 @@ COVERAGE_TESTS := $(UNIT_TESTS:build/%=$(COVERAGE)/%)
 
 $(COVERAGE)/%.o: %.c build/unit/lut_table.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) -g -O0 --coverage -std=c11 -w -MMD -MP $(UNIT_FLAGS) -c $< -o $@
+	$(Q)$(CC) -O0 --coverage -std=c11 -w -MMD -MP $(UNIT_FLAGS) -c $< -o $@
 $(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: UNIT_FLAGS := -Ibuild/unit/$(image) $(UNIT_FLAGS)))
 $(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: build/unit/$(image)/lut_table.h))
 $(COVERAGE)/unity.o: $(UNITY)/unity.c

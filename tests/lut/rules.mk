@@ -25,7 +25,7 @@ build/lut/$(1)/%.rel: %.c build/lut/$(1)/lut_table.h
 build/lut/$(1)/all_cells.ihx: build/lut/$(1)/tests/lut/all_cells.rel build/lut/$(1)/firmware/lib/lut.rel
 	$$(Q)$(SDCC) $$^ -o $$@
 build/lut/$(1)/host: tests/lut/host.c firmware/lib/lut.c build/lut/$(1)/lut_table.h
-	$$(Q)$(CC) -g -Og $(SANITIZE) $(HOST_FLAGS) -Ifirmware/lib -Ibuild/lut/$(1) tests/lut/host.c firmware/lib/lut.c -o $$@
+	$$(Q)$(CC) -g1 -Og $(SANITIZE) $(HOST_FLAGS) -Ifirmware/lib -Ibuild/lut/$(1) tests/lut/host.c firmware/lib/lut.c -o $$@
 endef
 $(foreach case,$(LUT_CASES),$(eval $(call lut_rules,$(case))))
 

@@ -12,7 +12,7 @@ $(foreach tool,common fistab drive bound,$(eval $(call sanitized_library,$(tool)
 build/sanitized/tests/%.o: HOST_FLAGS += $(UNITY_FLAGS) -Ifirmware/lib -Ifirmware/frames
 build/sanitized/unity.o: $(UNITY)/unity.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) -g -Og $(SANITIZE) -c $< -o $@
+	$(Q)$(CC) -g1 -Og $(SANITIZE) -c $< -o $@
 $(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %,build/sanitized/lib%.a,fistab drive bound common)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -g $(SANITIZE) $^ $(drive_LIBS) -o $@

@@ -31,7 +31,7 @@ $(foreach image,$(UNIT_TABLES),$(eval $(call unit_table,$(image))))
 
 build/unit/%.o: %.c build/unit/lut_table.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) -g -Og $(SANITIZE) $(HOST_FLAGS) $(UNIT_FLAGS) -c $< -o $@
+	$(Q)$(CC) -g1 -Og $(SANITIZE) $(HOST_FLAGS) $(UNIT_FLAGS) -c $< -o $@
 build/unit/%.o: HOST_FLAGS += -Wno-sign-conversion
 build/unit/tests/%.o build/unit/$(UNITY)/%.o: HOST_FLAGS += -Wno-conversion
 build/unit/liblogic.a: $(LOGIC_SRC:%.c=build/unit/%.o)

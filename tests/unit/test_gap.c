@@ -265,23 +265,25 @@ static void test_own_deceleration_counts_as_measured_and_as_demanded(void)
 
 /* Two cars as drive has them: dead time 0.05 s, lag 0.2 s, 8 m/s2 at 100 %; a frame each 50 ms
  * takes effect 20 ms later. Returns the least gap. A lead that brakes does so from the start to
- * rest. */
+ * rest. With BRAKES_FULLY the own car brakes at 8 m/s2 from the first frame on, whatever the law
+ * says, and when it stands the gap gets no smaller. */
 static double least_gap_m(double gap_m, double own_mps, double lead_mps, double lead_mps2,
                           bool brakes_fully)
 {
     enum { STEP_MS = 2, FRAME_MS = 50, EFFECT_MS = 70 /* 20 ms and the dead time */ };
     const double dt_s = STEP_MS * 0.001;
-    double least_m = gap_m, decel_mps2 = 0, now_mps2 = 0, next_mps2 = 0;
+    double least_m = gap_m, decel_mps2 = 0, now_mps2 = 0, next_mps2 = brakes_fully ? 8 : 0;
 
     setUp();
     steps(3, GAP_MAX_CM, (uint16_t)lround(own_mps * 100), 0, 0);
     gap.accel_cmps2 = asked_cmps2 = 0; /* it has followed evenly so far */
-    for (long ms = 0; gap_m > 0 && ms < 40000 && (own_mps > 0 || lead_mps > 0); ms += STEP_MS) {
-        if (ms % FRAME_MS == 0) {
+    for (long ms = 0; gap_m > 0 && ms < 40000 && (own_mps > 0 || (lead_mps > 0 && !brakes_fully));
+         ms += STEP_MS) {
+        if (ms % FRAME_MS == 0 && !brakes_fully) {
             step((uint16_t)lround(fmin(gap_m * 100, GAP_MAX_CM)), (uint16_t)lround(own_mps * 100),
                  (uint16_t)lround(lead_mps * 100),
                  lead_mps > 0 ? (int16_t)lround(lead_mps2 * 100) : 0);
-            next_mps2 = brakes_fully ? 8 : -gap.accel_cmps2 / 100.0;
+            next_mps2 = -gap.accel_cmps2 / 100.0;
         }
         if (ms >= EFFECT_MS && (ms - EFFECT_MS) % FRAME_MS == 0) {
             now_mps2 = next_mps2;

@@ -279,12 +279,19 @@ static size_t plan_bytes(const struct plan *plan)
            1;
 }
 
-/* Plans for one strip width. Returns false if it does not fit the look-up's byte indices. */
-static bool make_plan(struct plan *plan, size_t strip_cells)
+/* Plans for one strip width. Returns false if that does not fit the look-up's byte indices, or takes
+ * at least TOO_MANY bytes. */
+static bool make_plan(struct plan *plan, size_t strip_cells, size_t too_many)
 {
     plan->strip_cells = strip_cells;
     plan->strips = (plan->cols + strip_cells - 1) / strip_cells;
-    if (!find_runs(plan) || !join_shapes(plan)) {
+    if (!find_runs(plan)) {
+        return false;
+    }
+    /* At best no page has a gap, and the longest shape holds all others. */
+    plan->slots = plan->run_count;
+    plan->string_length = strip_cells - 1;
+    if (plan_bytes(plan) >= too_many || !join_shapes(plan)) {
         return false;
     }
     fill_pages(plan);
@@ -359,7 +366,7 @@ int pack_table(struct pack *pack, const int *cells, size_t rows, size_t cols,
                char why[PACK_WHY_BYTES])
 {
     struct plan plan = {.cells = cells, .rows = rows, .cols = cols};
-    size_t best_width = 0, best_bytes = 0;
+    size_t best_width = 0, best_bytes = SIZE_MAX;
     int status = -1;
 
     if (rows > BYTE_VALUES || cols > BYTE_VALUES) {
@@ -383,10 +390,7 @@ int pack_table(struct pack *pack, const int *cells, size_t rows, size_t cols,
     }
     /* One column wide it always fits: such a shape is a lone zero. */
     for (size_t width = 1; width <= cols; width++) {
-        if (!make_plan(&plan, width)) {
-            continue;
-        }
-        if (best_width == 0 || plan_bytes(&plan) < best_bytes) {
+        if (make_plan(&plan, width, best_bytes) && plan_bytes(&plan) < best_bytes) {
             best_width = width;
             best_bytes = plan_bytes(&plan);
         }
@@ -396,7 +400,7 @@ int pack_table(struct pack *pack, const int *cells, size_t rows, size_t cols,
                  rows * cols);
         goto done;
     }
-    make_plan(&plan, best_width);
+    make_plan(&plan, best_width, SIZE_MAX);
     status = plan_to_pack(pack, &plan);
     if (status != 0) {
         snprintf(why, PACK_WHY_BYTES, "out of memory");

@@ -302,22 +302,29 @@ static void note_impact(struct car *car, const struct motion *start, double star
     car->record.min_gap_m = 0;
 }
 
-static void note_gap(struct car *car)
+/* Returns the gap to the nearest target, INFINITY without one, and its speed, 0 without one. */
+static double note_gap(struct car *car, double *lead_mps)
 {
     int nearest = car_nearest(car);
+    double gap_m;
 
-    if (nearest >= 0 && is_in_the_way(&car->targets[nearest])) {
-        car->record.min_gap_m = fmin(car->record.min_gap_m, car_target_gap_m(car, nearest));
+    *lead_mps = 0;
+    if (nearest < 0) {
+        return INFINITY;
     }
+    gap_m = target_x_m(&car->targets[nearest], now_s(car), lead_mps) - car->x_m;
+    if (is_in_the_way(&car->targets[nearest])) {
+        car->record.min_gap_m = fmin(car->record.min_gap_m, gap_m);
+    }
+    return gap_m;
 }
 
 static void note_step(struct car *car, const struct motion *end, double start_s, double t_s,
                       double accel_before_mps2)
 {
     struct car_record *record = &car->record;
-    double gap = car_gap_m(car), lead_mps = car_lead_mps(car);
+    double lead_mps, gap = note_gap(car, &lead_mps);
 
-    note_gap(car);
     if (isfinite(end->rest_s)) {
         record->rest_s = start_s + end->rest_s;
         record->rest_gap_m = gap;
@@ -368,6 +375,8 @@ static void step(struct car *car, int64_t t_ns)
 
 void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
 {
+    double gap_m, lead_mps;
+
     memset(car, 0, sizeof *car);
     car->ego = scenario->ego;
     for (int i = 0; i < CAR_TARGETS; i++) {
@@ -389,29 +398,34 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
                                       .first_rest_s = INFINITY,
                                       .still_s = INFINITY};
     place_targets(car);
-    note_gap(car);
+    gap_m = note_gap(car, &lead_mps);
     if (car->v_mps <= 0) { /* at rest on its mark */
-        car->record.rest_s = car->record.first_rest_s = 0, car->record.rest_gap_m = car_gap_m(car);
+        car->record.rest_s = car->record.first_rest_s = 0, car->record.rest_gap_m = gap_m;
     }
 }
 
 /* MARK_S, if that is still to come and before END_NS; else END_NS. */
 static int64_t sooner(const struct car *car, double mark_s, int64_t end_ns)
 {
-    int64_t mark_ns = (int64_t)llround(mark_s * 1e9);
+    int64_t mark_ns;
 
+    if (mark_s < 0) {
+        return end_ns;
+    }
+    mark_ns = (int64_t)llround(mark_s * 1e9);
     return mark_ns > car->now_ns && mark_ns < end_ns ? mark_ns : end_ns;
 }
 
 /* End of the step that begins now: the grid, a demand that begins to act, a target that comes or
  * goes. */
-static int64_t step_end_ns(const struct car *car, int64_t t_ns)
+static int64_t step_end_ns(struct car *car, int64_t t_ns)
 {
-    int64_t end = (car->now_ns / car->step_ns + 1) * car->step_ns;
+    int64_t end;
 
-    if (end > t_ns) {
-        end = t_ns;
+    if (car->now_ns >= car->grid_ns) {
+        car->grid_ns = (car->now_ns / car->step_ns + 1) * car->step_ns;
     }
+    end = car->grid_ns < t_ns ? car->grid_ns : t_ns;
     if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end) {
         end = car->demands[car->first_demand].at_ns;
     }

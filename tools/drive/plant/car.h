@@ -38,6 +38,7 @@ struct car {
     int target_count; /* the targets that the scenario has are among the first ones */
     double event_s;
     int64_t now_ns, step_ns;
+    int64_t grid_ns;   /* the next whole step after now */
     double x_m, v_mps; /* the front of the ego car */
     double brake_mps2; /* deceleration of the brake now */
     double accel_mps2; /* of the car now */
