@@ -30,14 +30,12 @@ if [ ! -d "$kept" ]; then
     trap 'exit 1' HUP INT TERM
     "$@" -c "$source" -o "$new/$name"
     tools/no_atomics.sh "$new/$name"
-    while read -r files; do
-        for file in ${files%\\}; do
-            [ ! "$file" -nt "$depends" ] || [ "$file" = "$object:" ] || {
-                echo "$file: error: it changed while $source was compiled; run make again" >&2
-                exit 1
-            }
-        done
-    done <"$depends"
+    # shellcheck disable=SC2046  # one word each
+    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$depends")
+    if [ -n "$changed" ]; then
+        echo "$changed: error: changed while $source was compiled; run make again" >&2
+        exit 1
+    fi
     mkdir -p build/objects
     # Another process may have compiled the same meanwhile.
     mv -T "$new" "$kept" 2>/dev/null || [ -d "$kept" ]
