@@ -279,8 +279,8 @@ static size_t plan_bytes(const struct plan *plan)
            1;
 }
 
-/* Plans for one strip width. Returns false if that does not fit the look-up's byte indices, or takes
- * at least TOO_MANY bytes. */
+/* Plans for one strip width. Returns false if that does not fit the look-up's byte indices, or
+ * takes at least TOO_MANY bytes. */
 static bool make_plan(struct plan *plan, size_t strip_cells, size_t too_many)
 {
     plan->strip_cells = strip_cells;
