@@ -5,7 +5,8 @@
 #include "frame.h"
 #include "lut.h"
 
-#define GAP_END_MM 10000U /* the table's end */
+#define GAP_END_MM     10000U /* the table's end */
+#define BRAKE_FULL_PCT 100U
 
 /* The levels 0..4 mean -2..2. The table's commands are -1..1, its changes 0 and 1. The sum of two
  * levels is twice their mean. */
@@ -238,12 +239,18 @@ void follow_decide(void)
     ensures follow_remembers && asked_x2 == -2 && !asked_lane;
     ensures follow_silence: follow.brake_pct >= fault_pct &&
                 follow.brake_pct >= \old(follow.brake_pct) &&
-                follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US; */
+                follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US;
+    ensures follow_near: follow.gap_mm < FOLLOW_NEAR_MM ==> follow.brake_pct == 100; */
 void follow_lose(uint8_t fault_pct)
 {
     follow.state = FOLLOW_FAULT;
     follow.asks_for_lane = false;
     follow.throttle_us = FOLLOW_THROTTLE_CLOSED_US;
+#if FOLLOW_YIELDS
+    if (follow.gap_mm < FOLLOW_NEAR_MM) {
+        fault_pct = BRAKE_FULL_PCT;
+    }
+#endif
     if (follow.brake_pct < fault_pct) {
         follow.brake_pct = fault_pct;
     }

@@ -6,10 +6,11 @@
  * sets are equal: gap 2, 4, 6, 8 m; closing speed -1 and 1 m/s; gap minus change distance -0.05 and
  * 0.05 m. On a threshold it is the mean of the cells on both sides, which can be half a command.
  *
- * Two rules are not in the table. If the robot wants to change lanes but the next lane is taken, it
- * slows down. And of what the last two frames ask for, it does the more careful: a single frame
- * never releases the brake, opens the throttle or asks for a lane. The published system has no such
- * rules; see FOLLOW_AS_PUBLISHED. */
+ * Three rules are not in the table. If the robot wants to change lanes but the next lane is taken,
+ * it slows down. Of what the last two frames ask for, it does the more careful: a single frame never
+ * releases the brake, opens the throttle or asks for a lane. And if the link is lost less than
+ * FOLLOW_NEAR_MM behind a robot, it brakes fully. The published system has no such rules; see
+ * FOLLOW_AS_PUBLISHED. */
 #ifndef FUZZY51_FOLLOW_H
 #define FUZZY51_FOLLOW_H
 
@@ -29,6 +30,8 @@
 #define FOLLOW_CHANGE_MIN_MM 500U
 #define FOLLOW_CHANGE_MAX_MM 1900U
 #define FOLLOW_CHANGE_MM     1000U /* as published, until a frame says another one */
+
+#define FOLLOW_NEAR_MM 2000U /* as VN in the table */
 
 /* Whether the rules beside the table hold; 0 for the system as published. */
 #ifdef FOLLOW_AS_PUBLISHED
@@ -107,13 +110,15 @@ void follow_look_up(void);
 void follow_decide(void);
 
 /* Makes one control step while the link is lost: FAULT, throttle closed, no lane is asked for. The
- * brake takes the larger of its last percent and fault_pct (0..100). */
+ * brake takes the larger of its last percent and fault_pct (0..100); or 100 less than FOLLOW_NEAR_MM
+ * behind a robot, but for the published system. */
 /*@ requires follow_is_valid && fault_pct <= 100;
     assigns follow.state, follow.asks_for_lane, follow.brake_pct, follow.throttle_us;
     ensures follow_is_valid;
     ensures follow.state == FOLLOW_FAULT && !follow.asks_for_lane;
     ensures follow.throttle_us == FOLLOW_THROTTLE_CLOSED_US;
-    ensures follow.brake_pct == \max(\old(follow.brake_pct), fault_pct); */
+    ensures follow.brake_pct == \max(\old(follow.brake_pct), fault_pct) ||
+            (follow.gap_mm < FOLLOW_NEAR_MM && follow.brake_pct == 100); */
 void follow_lose(uint8_t fault_pct);
 
 #endif

@@ -167,6 +167,56 @@ static void test_least_gap_is_kept(void)
     TEST_ASSERT_EQUAL_INT(900000, robots.least_gap_um);
 }
 
+static void test_of_several_robots_the_nearest_counts(void)
+{
+    struct robots robots = start(9000, 1000, 0);
+    struct robot_ahead ahead[] = {{true, 5000000, 500}, {true, 3000000, 1500}, {false, 1000000, 0}};
+
+    robots_see_nearest(&robots, ahead, 3);
+    TEST_ASSERT_EQUAL_INT(3000000, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(1500, robots.lead_mmps);
+    for (int step = 0; step < 14; step++) { /* they come nearer by 0.1 m a step to each other */
+        robots_step(&robots, 0, false);
+        robots_move_ahead(&robots, ahead, 3);
+        TEST_ASSERT_EQUAL_INT(robots.gap_um, ahead[1].gap_um);
+    }
+    TEST_ASSERT_EQUAL_INT(3000000 + 14 * 50000, ahead[1].gap_um);
+    TEST_ASSERT_EQUAL_INT(5000000 - 14 * 50000, ahead[0].gap_um);
+    TEST_ASSERT_EQUAL_INT(1000000 - 14 * 100000, ahead[2].gap_um);
+    ahead[1].there = false;
+    robots_see_nearest(&robots, ahead, 3);
+    TEST_ASSERT_EQUAL_INT(4300000, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(500, robots.lead_mmps);
+    TEST_ASSERT_EQUAL_INT(3000000, robots.least_gap_um);
+    ahead[2] = (struct robot_ahead){true, 700000, 0}; /* cuts in */
+    robots_see_nearest(&robots, ahead, 3);
+    TEST_ASSERT_EQUAL_INT(700000, robots.least_gap_um);
+}
+
+static void test_who_is_not_ahead_is_not_seen(void)
+{
+    struct robots robots = start(9000, 2000, 1000);
+    struct robot_ahead ahead[] = {{true, 0, 0}, {false, 3000000, 1500}};
+
+    robots_see_nearest(&robots, ahead, 2);
+    TEST_ASSERT_EQUAL_INT(ROBOTS_NOBODY_UM, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(0, robots.lead_mmps);
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_EQUAL_INT(ROBOTS_NOBODY_UM, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(9000000, robots.least_gap_um);
+}
+
+static void test_gaps_end_at_a_kilometre(void)
+{
+    struct robots robots = start(1000000, 0, 60000);
+    struct robot_ahead far = {true, 999000000, 20000};
+
+    robots_step(&robots, 0, false);
+    TEST_ASSERT_EQUAL_INT(1000000000, robots.gap_um);
+    robots_move_ahead(&robots, &far, 1);
+    TEST_ASSERT_EQUAL_INT(1000000000, far.gap_um);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -182,5 +232,8 @@ int main(void)
     RUN_TEST(test_speed_is_limited_to_the_millimetre);
     RUN_TEST(test_contact_is_a_gap_of_0);
     RUN_TEST(test_least_gap_is_kept);
+    RUN_TEST(test_of_several_robots_the_nearest_counts);
+    RUN_TEST(test_who_is_not_ahead_is_not_seen);
+    RUN_TEST(test_gaps_end_at_a_kilometre);
     return UNITY_END();
 }

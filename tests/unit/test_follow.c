@@ -221,7 +221,7 @@ static void test_robot_waits_braked_and_a_lost_link_brakes_and_asks_for_nothing(
 
     follow_lose(60);
     TEST_ASSERT_EQUAL_UINT8(FOLLOW_FAULT, follow.state);
-    TEST_ASSERT_EQUAL_UINT8(60, follow.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(FOLLOW_YIELDS ? 100 : 60, follow.brake_pct); /* it is near */
     TEST_ASSERT_EQUAL_UINT16(FOLLOW_THROTTLE_CLOSED_US, follow.throttle_us);
     TEST_ASSERT_FALSE(follow.asks_for_lane);
     TEST_ASSERT_FALSE(follow.stop);
@@ -229,6 +229,14 @@ static void test_robot_waits_braked_and_a_lost_link_brakes_and_asks_for_nothing(
     situation(800, 1800, false);
     follow_lose(60); /* never less than before */
     TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+
+    situation(1999, 0, false);
+    TEST_ASSERT_EQUAL_UINT8(0, follow.brake_pct);
+    follow_lose(60);
+    TEST_ASSERT_EQUAL_UINT8(FOLLOW_YIELDS ? 100 : 60, follow.brake_pct);
+    situation(2000, 0, false);
+    follow_lose(60);
+    TEST_ASSERT_EQUAL_UINT8(60, follow.brake_pct);
 }
 
 static void test_check_sum_covers_both_outputs(void)

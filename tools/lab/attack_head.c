@@ -41,8 +41,8 @@ static const char *const flag_names[FLAGS] = {
 struct kind {
     const char *world;
     void (*draw)(void);
-    double spare_m;    /* that full braking must leave, for an impact to be flagged */
-    double limit_m;    /* a law that leaves less than this before a perfect head is at its limit */
+    double spare_m; /* that full braking must leave, for an impact to be flagged */
+    double limit_m; /* a law that leaves less than this before a perfect head is near its limit */
     double brake_mps2; /* of the own car at full brake, at least */
     double late_s;     /* from a reading to the brake, at most */
 };
@@ -194,12 +194,29 @@ static void draw_gap(void)
     }
 }
 
+/* A second robot: it cuts in, or the first one leaves the lane before it. */
+static void draw_second_robot(double gap_m)
+{
+    reason_s = between(1, 8);
+    if (happens(0.5)) {
+        set("lead.leaves_s=%.2f", reason_s);
+        set("lead2.gap_m=%.2f", gap_m + between(0.5, 8));
+    } else {
+        set("lead2.appears_s=%.2f", reason_s);
+        set("lead2.gap_m=%.2f", between(0.5, 5));
+    }
+    set("lead2.speed_mps=%.2f", between(0, 2));
+}
+
 static void draw_follow(void)
 {
+    double gap_m = between(0.3, 9.5);
+
     set("scenario.duration_s=20");
     set("ego.speed_mps=%.2f", between(0, 2));
-    set("lead.gap_m=%.2f", between(0.3, 9.5));
+    set("lead.gap_m=%.2f", gap_m);
     set("lead.speed_mps=%.2f", between(0, 2));
+    reason_s = 0;
     if (happens(0.3)) {
         set("lead.change_s=%.2f", between(1, 8));
         set("lead.change_mps2=%.2f", -between(0.5, 2));
@@ -209,7 +226,9 @@ static void draw_follow(void)
         set("lane.lead_mps=%.2f", between(0.5, 2));
     }
     set("lane.change_m=%.2f", between(0.5, 1.5));
-    reason_s = 0;
+    if (happens(0.3)) {
+        draw_second_robot(gap_m);
+    }
     draw_head(20, true);
     if (happens(0.4)) {
         set("noise.gap_m=%.3f", between(0, 0.02));
@@ -397,7 +416,7 @@ int lab_attack_head(FILE *out, const char *hex, const char *app, const struct bo
                     long seed, long runs)
 {
     const struct kind *kind = NULL;
-    long flagged = 0, limits = 0, counts[FLAGS] = {0};
+    long flagged = 0, hits = 0, near_hits = 0, counts[FLAGS] = {0};
 
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (strncmp(kinds[i].world, app, strlen(kinds[i].world)) == 0) {
@@ -453,9 +472,10 @@ int lab_attack_head(FILE *out, const char *hex, const char *app, const struct bo
                     run_image(hex, board, &calm, NULL, &calm_outcome, &end_s) != EXIT_FINE) {
                     return -1;
                 }
-                if (calm_outcome.values[METRIC_IMPACT] > 0 ||
-                    calm_outcome.values[METRIC_MIN_GAP] < kind->limit_m) {
-                    limits++;
+                if (calm_outcome.values[METRIC_IMPACT] > 0) {
+                    hits++;
+                } else if (calm_outcome.values[METRIC_MIN_GAP] < kind->limit_m) {
+                    near_hits++;
                 } else {
                     flags[FLAG_IMPACT] = outcome.values[METRIC_IMPACT] > 0;
                     flags[FLAG_NEAR] = watch.is_near_flagged;
@@ -479,7 +499,13 @@ int lab_attack_head(FILE *out, const char *hex, const char *app, const struct bo
     for (enum flag flag = 0; flag < FLAGS; flag++) {
         fprintf(out, "  %ld %s\n", counts[flag], flag_names[flag]);
     }
-    fprintf(out, "  %ld of %ld drives flagged; %ld impacts more at a limit of the law itself\n",
-            flagged, runs, limits);
+    if (kind->limit_m > 0) {
+        fprintf(out,
+                "  and %ld impacts at the limit of the law: with a perfect head it hits, too\n",
+                hits);
+        fprintf(out, "  and %ld near that limit: with a perfect head it keeps less than %g m\n",
+                near_hits, kind->limit_m);
+    }
+    fprintf(out, "  %ld of %ld drives flagged\n", flagged, runs);
     return (int)flagged;
 }

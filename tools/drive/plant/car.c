@@ -67,7 +67,7 @@ static double target_x_m(const struct target *target, double t_s, double *speed_
     return target->origin_m + car_lead_path_m(&target->lead, t_s, speed_mps);
 }
 
-static bool is_there(const struct lead *lead, double t_s)
+bool car_lead_is_there(const struct lead *lead, double t_s)
 {
     return lead->present && t_s >= lead->appears_s && (lead->leaves_s < 0 || t_s < lead->leaves_s);
 }
@@ -158,7 +158,7 @@ static void place_targets(struct car *car)
     for (int i = 0; i < car->target_count; i++) {
         struct target *target = &car->targets[i];
 
-        target->there = is_there(&target->lead, now_s(car));
+        target->there = car_lead_is_there(&target->lead, now_s(car));
         if (target->there && !target->placed) {
             double speed_mps;
 

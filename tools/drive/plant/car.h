@@ -88,4 +88,7 @@ double car_lead_mps(const struct car *car);
 /* Distance that a lead has covered T_S seconds after the start, m, and its speed then. */
 double car_lead_path_m(const struct lead *lead, double t_s, double *speed_mps);
 
+/* Whether a lead is on the road then: it appeared, and did not leave yet. */
+bool car_lead_is_there(const struct lead *lead, double t_s);
+
 #endif

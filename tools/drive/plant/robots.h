@@ -12,20 +12,30 @@ enum {
     ROBOTS_STEP_MS = 100,
     ROBOTS_SPEED_MAX_MMPS = 2000,
     ROBOTS_ACCEL_MAX_MMPS2 = 2000,
-    ROBOTS_ACCEL_STEP_MMPS2 = 100, /* what the motion control tells apart */
-    ROBOTS_NEW_GAP_MM = 6000       /* to the robot ahead in the other lane, after a change */
+    ROBOTS_ACCEL_STEP_MMPS2 = 100,  /* what the motion control tells apart */
+    ROBOTS_NEW_GAP_MM = 6000,       /* to the robot ahead in the other lane, after a change */
+    ROBOTS_GAP_MAX_UM = 1000000000, /* no gap grows beyond */
+    ROBOTS_NOBODY_UM = INT32_MAX    /* the gap, if there is no robot ahead */
 };
 
 struct robots {
-    int32_t gap_um;
+    int32_t gap_um; /* to the nearest robot ahead */
     int own_mmps;
     int lead_mmps;     /* may be set before any step, until the lane is changed */
+    int32_t driven_um; /* in the last step */
     bool lane_is_free; /* the other one; taken once the robot has changed to it */
     int new_lead_mmps; /* who drives there */
     int step;          /* so many are over */
     int changed_step;  /* the change was made then; -1: none */
     int least_gap_um;
     bool collided; /* the gap became 0: nothing moves any more */
+};
+
+/* One of several robots ahead in the own lane. They drive their own ways, and see nobody. */
+struct robot_ahead {
+    bool there; /* not yet in the lane, or no longer, if false */
+    int32_t gap_um;
+    int mmps;
 };
 
 /* Sets what is not the scenario's: step, changed_step, least_gap_um, collided. */
@@ -37,5 +47,13 @@ int robots_gap_mm(const struct robots *robots);
 /* One step at ACCEL_MMPS2, rounded to what the motion control tells apart. At its end, if the robot
  * ASKS_FOR_LANE and it is free, the robot is there. */
 void robots_step(struct robots *robots, double accel_mmps2, bool asks_for_lane);
+
+/* Moves COUNT robots ahead by the step that was just made. */
+void robots_move_ahead(const struct robots *robots, struct robot_ahead *ahead, int count);
+
+/* Sets gap and speed of the robot ahead to those of the nearest one that is there; ROBOTS_NOBODY_UM
+ * and 0 if there is none. One that would be beside the own robot or behind it is none. Not after a
+ * change of lanes, nor after a contact. */
+void robots_see_nearest(struct robots *robots, const struct robot_ahead *ahead, int count);
 
 #endif

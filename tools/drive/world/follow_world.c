@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The follower's world: a robot behind another one, and a lane beside them. Robots move in steps of
+/* The follower's world: a robot behind others, and a lane beside them. Robots move in steps of
  * 0.1 s, each begun by the controller's trigger: what its pins say when the next one comes is the
  * acceleration of the step between. */
 #include "base.h"
@@ -51,9 +51,10 @@ static const struct section_use sections[] = {
     {.section = &scenario_section, .required = true},
     {.section = &ego_section, AT_SCENARIO(ego), .required = true, .only = "speed_mps"},
     {.section = &lead_section,
-     AT_SCENARIO(lead),
+     AT_SCENARIO(leads),
      .required = true,
-     .only = "gap_m speed_mps change_s change_mps2 change_to_mps profile"},
+     .copies = LEADS_MAX,
+     .only = "gap_m speed_mps change_s change_mps2 change_to_mps profile appears_s leaves_s"},
     {.section = &lane_section, AT_SETTINGS(struct follow_settings, lane)},
     {.section = &head_noise_section,
      AT_SETTINGS(struct follow_settings, noise),
@@ -66,7 +67,8 @@ WORLD_SETTINGS_FIT(struct follow_settings);
 struct world {
     struct base base;
     struct robots robots;
-    struct lead lead;
+    struct lead leads[LEADS_MAX];
+    struct robot_ahead ahead[LEADS_MAX]; /* those of leads */
     struct follow_settings settings;
     struct head head;
     struct pwm pwm;
@@ -162,15 +164,26 @@ static void advance(struct world *world, int64_t t_ns)
     }
 }
 
-static void set_lead(struct world *world)
+/* The robots in the own lane as they are at the beginning of a step. */
+static void set_ahead(struct world *world)
 {
-    double speed_mps;
+    double t_s = world->robots.step * ROBOTS_STEP_MS / 1000.0, speed_mps;
 
-    if (world->robots.changed_step >= 0) {
+    if (world->robots.changed_step >= 0 || world->robots.collided) {
         return;
     }
-    car_lead_path_m(&world->lead, world->robots.step * ROBOTS_STEP_MS / 1000.0, &speed_mps);
-    world->robots.lead_mmps = (int)lround(speed_mps * 1000);
+    for (int i = 0; i < LEADS_MAX; i++) {
+        struct robot_ahead *ahead = &world->ahead[i];
+        bool is_there = car_lead_is_there(&world->leads[i], t_s);
+
+        if (is_there && !ahead->there) {
+            ahead->gap_um = (int32_t)lround(world->leads[i].gap_m * 1e6);
+        }
+        ahead->there = is_there;
+        car_lead_path_m(&world->leads[i], t_s, &speed_mps);
+        ahead->mmps = (int)lround(speed_mps * 1000);
+    }
+    robots_see_nearest(&world->robots, world->ahead, LEADS_MAX);
 }
 
 static void step(struct world *world)
@@ -183,13 +196,14 @@ static void step(struct world *world)
     }
     world->accel_mmps2 = (brake > 0 ? -brake : throttle) / 100 * ROBOTS_ACCEL_MAX_MMPS2;
     robots_step(&world->robots, world->accel_mmps2, asks_for_lane(world));
+    robots_move_ahead(&world->robots, world->ahead, LEADS_MAX);
     if (world->robots.collided) {
         world->impact_mps = (world->robots.own_mmps - world->robots.lead_mmps) / 1000.0;
     }
     if (world->robots.changed_step >= 0 && !was_changed) {
         world->changed_s = seconds(world->now_ns);
     }
-    set_lead(world);
+    set_ahead(world);
     if (world->robots.own_mmps > 0 || world->robots.lead_mmps > 0) {
         world->rest_s = INFINITY;
     } else if (isinf(world->rest_s)) {
@@ -291,15 +305,15 @@ static struct world *create(const struct scenario *scenario, uint64_t seed, int6
     (void)step_ns;
     memcpy(&world->settings, scenario->settings, sizeof world->settings);
     world->base = (struct base){.head = &world->head, .sense = sense};
-    world->lead = scenario->lead;
+    memcpy(world->leads, scenario->leads, sizeof world->leads);
     world->robots = (struct robots){
-        .gap_um = (int32_t)lround(scenario->lead.gap_m * 1e6),
+        .gap_um = ROBOTS_NOBODY_UM,
         .own_mmps = (int)lround(scenario->ego.speed_mps * 1000),
         .lane_is_free = world->settings.lane.lead_mps >= 0,
         .new_lead_mmps = (int)lround(fmax(world->settings.lane.lead_mps, 0) * 1000),
     };
     robots_start(&world->robots);
-    set_lead(world);
+    set_ahead(world);
     head_init(&world->head, &world->settings.head, seed, KIND, PAYLOAD_BYTES, spoil);
     world->event_s = scenario->event_s;
     world->event_ns = (int64_t)llround(scenario->event_s * 1e9);
@@ -334,11 +348,17 @@ static bool is_over(const struct world *world)
            (world->hold_s >= 0 && seconds(world->now_ns) - world->rest_s >= world->hold_s);
 }
 
+/* A gap in metres, or NOBODY_M if there is no robot ahead. */
+static double gap_m(int32_t gap_um, double nobody_m)
+{
+    return gap_um == ROBOTS_NOBODY_UM ? nobody_m : gap_um / 1e6;
+}
+
 static void values(const struct world *world, double row[WORLD_COLUMNS])
 {
-    row[COLUMN_GAP] = world->robots.gap_um / 1e6;
+    row[COLUMN_GAP] = gap_m(world->robots.gap_um, NAN);
     row[COLUMN_OWN_SPEED] = world->robots.own_mmps / 1e3;
-    row[COLUMN_LEAD_SPEED] = world->robots.lead_mmps / 1e3;
+    row[COLUMN_LEAD_SPEED] = isnan(row[COLUMN_GAP]) ? NAN : world->robots.lead_mmps / 1e3;
     row[COLUMN_ACCEL] = world->accel_mmps2 / 1e3;
     row[COLUMN_BRAKE] = brake_pct(world);
     row[COLUMN_THROTTLE] = servo_throttle_pct(&world->servo);
@@ -354,8 +374,8 @@ static void measure(const struct world *world, int64_t t_ns, struct outcome *out
 
     value[METRIC_IMPACT] = world->robots.collided;
     value[METRIC_IMPACT_MPS] = world->impact_mps;
-    value[METRIC_MIN_GAP] = world->robots.least_gap_um / 1e6;
-    value[METRIC_FINAL_GAP] = world->robots.gap_um / 1e6;
+    value[METRIC_MIN_GAP] = gap_m(world->robots.least_gap_um, INFINITY);
+    value[METRIC_FINAL_GAP] = gap_m(world->robots.gap_um, INFINITY);
     value[METRIC_FINAL_SPEED] = world->robots.own_mmps / 1e3;
     value[METRIC_MAX_BRAKE] = world->max_brake_pct;
     value[METRIC_MIN_BRAKE] = world->min_brake_pct;
@@ -382,11 +402,17 @@ static void tell(const struct outcome *outcome, const struct scenario *scenario)
     }
     if (value[METRIC_IMPACT] > 0) {
         printf("hits the robot ahead at %.2f m/s\n", value[METRIC_IMPACT_MPS]);
-    } else if (value[METRIC_FINAL_SPEED] > 0) {
-        printf("drives at %.2f m/s in the end, %.2f m behind the robot ahead\n",
-               value[METRIC_FINAL_SPEED], value[METRIC_FINAL_GAP]);
     } else {
-        printf("stands in the end, %.2f m behind the robot ahead\n", value[METRIC_FINAL_GAP]);
+        if (value[METRIC_FINAL_SPEED] > 0) {
+            printf("drives at %.2f m/s in the end, ", value[METRIC_FINAL_SPEED]);
+        } else {
+            printf("stands in the end, ");
+        }
+        if (isinf(value[METRIC_FINAL_GAP])) {
+            puts("with no robot ahead");
+        } else {
+            printf("%.2f m behind the robot ahead\n", value[METRIC_FINAL_GAP]);
+        }
     }
     printf("  least gap %.2f m, most brake %.0f %%\n", value[METRIC_MIN_GAP],
            value[METRIC_MAX_BRAKE]);
