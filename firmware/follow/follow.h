@@ -7,9 +7,9 @@
  * 0.05 m. On a threshold it is the mean of the cells on both sides, which can be half a command.
  *
  * Three rules are not in the table. If the robot wants to change lanes but the next lane is taken,
- * it slows down. Of what the last two frames ask for, it does the more careful: a single frame never
- * releases the brake, opens the throttle or asks for a lane. And if the link is lost less than
- * FOLLOW_NEAR_MM behind a robot, it brakes fully. The published system has no such rules; see
+ * it slows down. Of what the last two frames ask for, it does the more careful: a single frame
+ * never releases the brake, opens the throttle or asks for a lane. And if the link is lost less
+ * than FOLLOW_NEAR_MM behind a robot, it brakes fully. The published system has no such rules; see
  * FOLLOW_AS_PUBLISHED. */
 #ifndef FUZZY51_FOLLOW_H
 #define FUZZY51_FOLLOW_H
@@ -110,8 +110,8 @@ void follow_look_up(void);
 void follow_decide(void);
 
 /* Makes one control step while the link is lost: FAULT, throttle closed, no lane is asked for. The
- * brake takes the larger of its last percent and fault_pct (0..100); or 100 less than FOLLOW_NEAR_MM
- * behind a robot, but for the published system. */
+ * brake takes the larger of its last percent and fault_pct (0..100); or 100, if the robot ahead was
+ * nearer than FOLLOW_NEAR_MM, but for the published system. */
 /*@ requires follow_is_valid && fault_pct <= 100;
     assigns follow.state, follow.asks_for_lane, follow.brake_pct, follow.throttle_us;
     ensures follow_is_valid;
