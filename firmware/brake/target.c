@@ -262,7 +262,7 @@ uint8_t target_echo(uint16_t dist_mm)
     }
     since_aside_cs = LONG_AGO_CS;
 #if RANGE_IS_FAST
-    if ((worth == TARGET_NEW || worth == TARGET_NEW_LATE) && !TELLS_SPEED(since_cs)) {
+    if ((worth == TARGET_NEW || worth == TARGET_NEW_LATE) && since_cs < RANGE_SPAN_MIN_CS) {
         return BRAKE_FAULT_NONE;
     }
 #endif

@@ -1,0 +1,471 @@
+/* SPDX-License-Identifier: MIT */
+/* The brake behind a TF-Luna: 100 readings a second, and the times of target.h, latch.h, fault.h and
+ * ease.h are the same as with the sensor of 60 ms. */
+#define SENSOR_tfluna
+#define ESTIMATOR_smooth
+#define BRAKE_RISE_PCT 3U
+#include <stddef.h>
+#include "unity.h"
+#include "lut.c" /* first: it takes the table's data */
+#undef LUT_DATA
+#include "cell.c"
+#include "closing_tfluna.c"
+#undef RATE
+#include "ease.c"
+#include "law_tuned.c"
+#include "brake.c"
+#include "target.c"
+#include "fault.c"
+#undef FAULT
+#include "latch.c"
+#include "warning.c"
+
+static uint16_t place_mm;
+
+/* One period of the sensor, as main.c takes it: what is due is expected, the tick, the reading. */
+static void look(uint8_t kind, uint16_t dist_mm)
+{
+    brake_expect(RANGE_PERIOD_CS);
+    brake_tick(false);
+    brake_step(kind, dist_mm);
+    brake_finish();
+}
+
+static void clear(uint8_t readings)
+{
+    for (; readings != 0; readings--) {
+        look(RANGE_NO_TARGET, 0);
+    }
+}
+
+static void echo(uint16_t dist_mm)
+{
+    place_mm = dist_mm;
+    look(RANGE_ECHO, dist_mm);
+}
+
+/* A frame is lost. */
+static void lost(uint8_t readings)
+{
+    for (; readings != 0; readings--) {
+        brake_expect(RANGE_PERIOD_CS);
+        brake_tick(false);
+    }
+}
+
+/* So many readings of a target, each so much nearer than the one before. */
+static void approach(int16_t step_mm, uint8_t readings)
+{
+    for (; readings != 0; readings--) {
+        echo((uint16_t)(place_mm - step_mm));
+    }
+}
+
+/* From that place on until it is tracked. */
+static void track(uint16_t from_mm, int16_t step_mm)
+{
+    echo(from_mm);
+    approach(step_mm, 20);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_TRACKED, target_worth);
+}
+
+void setUp(void)
+{
+    brake_init(BRAKE_FAULT_NONE);
+}
+
+void tearDown(void)
+{
+}
+
+/* --- a target --------------------------------------------------------------------------------- */
+
+/* The second place is 60 ms after the first: in 10 ms a step of 1 cm would be 1 m/s. */
+static void test_a_speed_needs_60_ms(void)
+{
+    uint8_t i;
+
+    echo(5000);
+    for (i = 1; i < 6; i++) {
+        approach(50, 1);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
+        TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
+    }
+    approach(50, 1);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+    TEST_ASSERT_UINT16_WITHIN(8, 5000, closing_smooth.closing_mmps);
+    approach(50, 1);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_TRACKED, target_worth);
+}
+
+static void test_an_echo_after_a_clear_road_has_entered_and_one_after_a_lost_frame_has_not(void)
+{
+    clear(1);
+    echo(7900);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED, target_worth);
+    setUp();
+    clear(1);
+    lost(1);
+    echo(7900);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
+}
+
+static void test_lost_frames_do_not_lose_a_target(void)
+{
+    uint8_t frames;
+
+    for (frames = 1; frames <= 15; frames++) {
+        setUp();
+        track(7000, 80);
+        lost(frames);
+        echo((uint16_t)(place_mm - 80 * (frames + 1)));
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, fault_code);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_TRACKED, target_worth);
+        TEST_ASSERT_UINT16_WITHIN(100, 8000, closing_smooth.closing_mmps);
+    }
+}
+
+/* The two readings' places are as far apart as wheels can bring them in 60 ms. */
+static void test_one_stray_frame_leaves_the_target_alone(void)
+{
+    track(6000, 50);
+    look(RANGE_ECHO, 3000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, fault_code);
+    echo((uint16_t)(place_mm - 100));
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, fault_code);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_TRACKED, target_worth);
+}
+
+static void test_another_target_takes_over_after_60_ms(void)
+{
+    uint8_t i;
+
+    track(7000, 0);
+    for (i = 0; i < 6; i++) {
+        look(RANGE_ECHO, 3000);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, fault_code);
+        TEST_ASSERT_EQUAL_UINT16(7000, closing_place_mm);
+    }
+    look(RANGE_ECHO, 3000);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+    TEST_ASSERT_EQUAL_UINT16(3000, closing_place_mm);
+}
+
+/* An echo that fits neither of them is the one aside from then on. */
+static void test_the_echo_aside_is_exchanged_for_one_that_it_cannot_have_become(void)
+{
+    track(7000, 0);
+    look(RANGE_ECHO, 3000);
+    look(RANGE_ECHO, 5000);
+    TEST_ASSERT_EQUAL_UINT16(5000, aside_mm);
+    look(RANGE_ECHO, 5000);
+    TEST_ASSERT_EQUAL_UINT16(5000, aside_mm);
+    TEST_ASSERT_EQUAL_UINT8(1, since_aside_cs);
+    lost(7);
+    look(RANGE_ECHO, 6500); /* no wheels bring it there in 80 ms */
+    TEST_ASSERT_EQUAL_UINT16(6500, aside_mm);
+}
+
+static void test_what_came_back_after_a_clear_reading_tells_its_speed_after_60_ms(void)
+{
+    clear(1);
+    echo(5000);
+    clear(1);
+    echo(4900);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED, target_worth);
+    clear(1);
+    lost(2);
+    clear(1);
+    echo(4700);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW_LATE, target_worth);
+    TEST_ASSERT_UINT16_WITHIN(8, 300000U / 7U / 10U, closing_smooth.closing_mmps);
+}
+
+/* --- the times of clear roads ----------------------------------------------------------------- */
+
+/* How many clear readings end the target. */
+static uint8_t clears_that_end(void)
+{
+    uint8_t readings = 0;
+
+    while (target_worth != TARGET_NONE && readings < 255U) {
+        clear(1);
+        readings++;
+    }
+    return readings;
+}
+
+static void test_clear_roads_end_a_target_after_the_same_times(void)
+{
+    echo(3000);
+    TEST_ASSERT_EQUAL_UINT8(12, clears_that_end());
+    setUp();
+    track(7000, 0);
+    TEST_ASSERT_EQUAL_UINT8(24, clears_that_end());
+}
+
+static void test_a_near_target_is_lost_for_1200_ms(void)
+{
+    uint8_t i;
+
+    track(3000, 0);
+    for (i = 1; i < 120; i++) {
+        clear(1);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_LOST, fault_code);
+    }
+    TEST_ASSERT_TRUE(was_near);
+    clear(1);
+    TEST_ASSERT_FALSE(was_near);
+}
+
+static void test_fault_comes_after_180_ms_without_a_believed_reading(void)
+{
+    track(3000, 0);
+    clear(17);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+    clear(2);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+}
+
+static void test_180_ms_of_good_readings_end_fault(void)
+{
+    uint8_t i;
+
+    brake_init(BRAKE_FAULT_WATCHDOG);
+    for (i = 0; i < 17; i++) {
+        echo(3000);
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    }
+    echo(3000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);
+}
+
+/* --- stuck ------------------------------------------------------------------------------------ */
+
+/* At 2 m/s the sensor says the same place again and again for 5 readings. */
+static void test_a_slow_target_is_not_stuck(void)
+{
+    uint8_t i, k;
+
+    echo(4000);
+    for (i = 0; i < 60; i++) {
+        for (k = 0; k < 5; k++) {
+            echo(place_mm);
+            TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, fault_code);
+        }
+        place_mm -= 10;
+    }
+}
+
+/* The same reading is stuck once the target should have come 123 mm. */
+static void test_the_same_reading_of_a_moving_target_is_stuck(void)
+{
+    uint8_t i;
+    int16_t step;
+
+    for (step = 20; step <= 80; step += 20) {
+        setUp();
+        track(7500, step);
+        for (i = 0; fault_code == BRAKE_FAULT_NONE && i < 20; i++) {
+            echo(place_mm);
+        }
+        TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, fault_code);
+        TEST_ASSERT_INT16_WITHIN(step + 25, 123, (int16_t)(i * step));
+    }
+}
+
+static void test_a_stuck_target_that_moves_on_is_another_one(void)
+{
+    track(7500, 50);
+    while (fault_code != BRAKE_FAULT_STUCK) {
+        echo(place_mm);
+    }
+    approach(10, 1);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, fault_code);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
+    TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
+}
+
+/* It would have gone further than a byte can count. */
+static void test_a_target_that_is_lost_for_long_is_stuck_when_it_comes_back_to_its_place(void)
+{
+    track(7500, 120);
+    lost(25);
+    echo(place_mm);
+    TEST_ASSERT_EQUAL_UINT8(255, run_way);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, fault_code);
+}
+
+/* --- STOP ------------------------------------------------------------------------------------- */
+
+static void test_the_first_frame_within_a_metre_stops_at_once(void)
+{
+    clear(5);
+    echo(BRAKE_STOP_MM);
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+}
+
+/* STOP is held, and the target creeps away to 1.35 m. */
+static void stop_and_creep(void)
+{
+    setUp();
+    track(1900, 30);
+    approach(30, 15);
+    TEST_ASSERT_TRUE(brake.stop);
+    approach(-1, 250);
+    approach(-1, 250);
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+}
+
+/* Opening for 60 ms moves HELD to OPENING, and the next such reading ends it. */
+static void test_stop_ends_when_the_gap_opens_for_60_ms(void)
+{
+    uint8_t readings = 0;
+
+    stop_and_creep();
+    while (brake.stop && readings < 100) {
+        approach(-5, 1);
+        if (closing_smooth.opening_mmps > LATCH_OPENING_MMPS) {
+            readings++;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT8(LATCH_OPENING_READINGS + 1U, readings);
+}
+
+static void test_a_slow_reading_between_begins_the_60_ms_anew(void)
+{
+    uint8_t i;
+
+    stop_and_creep();
+    for (i = 0; opening_readings < LATCH_OPENING_READINGS - 1U && i < 100; i++) {
+        approach(-5, 1);
+    }
+    closing_smooth.opening_mmps = LATCH_OPENING_MMPS;
+    latch_take(true);
+    TEST_ASSERT_EQUAL_UINT8(0, opening_readings);
+    TEST_ASSERT_TRUE(brake.stop);
+}
+
+static void test_stop_ends_after_two_seconds_of_clear_road(void)
+{
+    track(1900, 30);
+    approach(30, 15);
+    clear(199);
+    TEST_ASSERT_TRUE(brake.stop);
+    clear(1);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
+/* --- the law ---------------------------------------------------------------------------------- */
+
+/* A target that entered gets more brake with each frame. */
+static void test_what_enters_brakes_more_and_more(void)
+{
+    uint8_t i, before_pct = 0;
+
+    clear(3);
+    place_mm = 8000;
+    for (i = 0; i < 6; i++) {
+        approach(85, 1);
+        TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED, target_worth);
+        TEST_ASSERT_TRUE(brake.brake_pct >= before_pct);
+        before_pct = brake.brake_pct;
+    }
+    TEST_ASSERT_TRUE(before_pct > 0);
+    approach(85, 1);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+    TEST_ASSERT_TRUE(brake.brake_pct >= before_pct);
+}
+
+/* Above 60 % the demand rises by 3 % a reading, whatever the law says. */
+static void test_the_demand_rises_gently_above_60_pct(void)
+{
+    uint8_t before_pct, readings;
+
+    clear(3);
+    place_mm = 8000;
+    for (readings = 0; brake.brake_pct < 100U && readings < 80U; readings++) {
+        before_pct = brake.brake_pct;
+        approach(90, 1);
+        TEST_ASSERT_TRUE(brake.brake_pct <= BRAKE_SUDDEN_PCT ||
+                         brake.brake_pct <= before_pct + BRAKE_RISE_PCT);
+    }
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+}
+
+/* 1.92 s at a constant gap, then 1 % each 60 ms up to the hold. */
+static void test_a_car_that_stands_is_held_after_the_same_time(void)
+{
+    uint8_t still = (uint8_t)EASE_STILL_READINGS, i;
+
+    ease_restart();
+    closing_smooth.closing_mmps = 0;
+    closing_smooth.opening_mmps = 0;
+    TEST_ASSERT_EQUAL_UINT8(192, still);
+    for (i = 0; i < still; i++) {
+        TEST_ASSERT_EQUAL_UINT8(1, ease_pct(7, 3000));
+    }
+    for (i = 1; i <= EASE_HOLD_PCT; i++) {
+        uint8_t k;
+
+        ease_pct(7, 3000);
+        TEST_ASSERT_EQUAL_UINT8(i, hold_pct);
+        for (k = 1; k < 6; k++) {
+            ease_pct(7, 3000);
+            TEST_ASSERT_EQUAL_UINT8(i, hold_pct);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT8(EASE_HOLD_PCT, ease_pct(7, 3000));
+}
+
+/* --- sums ------------------------------------------------------------------------------------- */
+
+static void test_each_byte_changes_the_sum(void)
+{
+    uint8_t sum, bit;
+
+    track(6000, 50);
+    sum = brake_sum();
+    for (bit = 1; bit != 0; bit = (uint8_t)(bit << 1)) {
+        run_speed ^= bit;
+        TEST_ASSERT_TRUE(brake_sum() != sum);
+        run_speed ^= bit;
+        run_way ^= bit;
+        TEST_ASSERT_TRUE(brake_sum() != sum);
+        run_way ^= bit;
+        opening_readings ^= bit;
+        TEST_ASSERT_TRUE(brake_sum() != sum);
+        opening_readings ^= bit;
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_a_speed_needs_60_ms);
+    RUN_TEST(test_an_echo_after_a_clear_road_has_entered_and_one_after_a_lost_frame_has_not);
+    RUN_TEST(test_lost_frames_do_not_lose_a_target);
+    RUN_TEST(test_one_stray_frame_leaves_the_target_alone);
+    RUN_TEST(test_another_target_takes_over_after_60_ms);
+    RUN_TEST(test_the_echo_aside_is_exchanged_for_one_that_it_cannot_have_become);
+    RUN_TEST(test_what_came_back_after_a_clear_reading_tells_its_speed_after_60_ms);
+    RUN_TEST(test_clear_roads_end_a_target_after_the_same_times);
+    RUN_TEST(test_a_near_target_is_lost_for_1200_ms);
+    RUN_TEST(test_fault_comes_after_180_ms_without_a_believed_reading);
+    RUN_TEST(test_180_ms_of_good_readings_end_fault);
+    RUN_TEST(test_a_slow_target_is_not_stuck);
+    RUN_TEST(test_the_same_reading_of_a_moving_target_is_stuck);
+    RUN_TEST(test_a_stuck_target_that_moves_on_is_another_one);
+    RUN_TEST(test_a_target_that_is_lost_for_long_is_stuck_when_it_comes_back_to_its_place);
+    RUN_TEST(test_the_first_frame_within_a_metre_stops_at_once);
+    RUN_TEST(test_stop_ends_when_the_gap_opens_for_60_ms);
+    RUN_TEST(test_a_slow_reading_between_begins_the_60_ms_anew);
+    RUN_TEST(test_stop_ends_after_two_seconds_of_clear_road);
+    RUN_TEST(test_what_enters_brakes_more_and_more);
+    RUN_TEST(test_the_demand_rises_gently_above_60_pct);
+    RUN_TEST(test_a_car_that_stands_is_held_after_the_same_time);
+    RUN_TEST(test_each_byte_changes_the_sum);
+    return UNITY_END();
+}
