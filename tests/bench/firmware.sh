@@ -6,13 +6,14 @@
 #     tests/bench/firmware.sh [BOARD...]         after `make run-bench` has built what it needs
 # Images run in s51 with the modules and the memory model that ship. A step's own cycles come from an
 # image that takes it thousands of times (tests/bench/step.c), all else from the images that ship: the
-# brake hears echoes of a drive of chance (readings.awk), the others a frame after another with no pause,
-# which is the most that the line carries. s51 takes 2 cycles too few for an interrupt: they are added.
+# brake hears echoes of a drive of chance (readings.awk), the one behind a lidar its frames (tfluna.awk)
+# and the others theirs, one after another with no pause, which is the most that the line carries. s51 takes 2 cycles too few for an interrupt: they are added.
 set -eu
 cd "$(dirname "$0")/../.."
 . tests/chip/lib.sh
 work=build/bench/firmware
 FRAMES=80
+LIDAR_FRAMES=300
 mkdir -p "$work"
 
 # Those with a control step.
@@ -22,7 +23,8 @@ apps() { # BOARD
         basename "${modules%/*/*}"
     done | sort
 }
-is_brake() { [ -e "build/$1/$2/brake/main.rel" ]; }      # BOARD APP
+has_sonar() { [ -e "build/$1/$2/mcu/echo.rel" ]; }   # BOARD APP
+has_lidar() { [ -e "build/$1/$2/mcu/tfluna.rel" ]; } # BOARD APP
 
 # --- measuring: of each controller a file of "name value" lines ------------------------------------
 
@@ -107,6 +109,25 @@ run_brake() { # BOARD APP
     s51_clean
 }
 
+# Has s51's UART receive what $s51_dir/frames holds, then measures load and stack. A byte in and a byte out
+# are an interrupt each.
+receive() { # BOARD APP INTERRUPTS_PER_SECOND
+    local end_us=$((500000 + $(wc -c <"$s51_dir/frames") * 1050))
+    cat "$s51_dir/frames" >&"$s51_keys"
+    s51_until "$end_us"
+    s51_ask $((end_us + 10)) >"$s51_dir/state"
+    s51_stop
+    load_and_stack "$1" "$2" "$3" $(($(wc -c <"$s51_dir/frames") + $(wc -c <"$s51_uart")))
+    s51_clean
+}
+
+run_lidar() { # BOARD APP
+    S51_TYPES=1 s51_start "$1" "build/$1/$2.ihx"
+    s51_until 400000
+    printf '%b' "$(awk -v "count=$LIDAR_FRAMES" -f tests/bench/tfluna.awk)" >"$s51_dir/frames"
+    receive "$1" "$2" 200
+}
+
 run_frames() { # BOARD APP
     local family=${2%%_*} kind bytes per_second=200
     kind=$(awk -v name="FRAME_${family^^}" '$1 == name { print $3 + 0 }' firmware/frames/frame.h)
@@ -115,18 +136,18 @@ run_frames() { # BOARD APP
     S51_TYPES=1 s51_start "$1" "build/$1/$2.ihx"
     s51_until 400000
     "build/bench/line_$family" "$kind" "$bytes" "$FRAMES" >"$s51_dir/frames"
-    cat "$s51_dir/frames" >&"$s51_keys"
-    s51_until $((500000 + $(wc -c <"$s51_dir/frames") * 1050))
-    s51_ask $((500010 + $(wc -c <"$s51_dir/frames") * 1050)) >"$s51_dir/state"
-    s51_stop
-    # A byte in and a byte out are an interrupt each.
-    load_and_stack "$1" "$2" "$per_second" $(($(wc -c <"$s51_dir/frames") + $(wc -c <"$s51_uart")))
-    s51_clean
+    receive "$1" "$2" "$per_second"
 }
 
 measure() { # BOARD APP
     step_cycles "$1" "$2"
-    if is_brake "$1" "$2"; then run_brake "$1" "$2"; else run_frames "$1" "$2"; fi
+    if has_sonar "$1" "$2"; then
+        run_brake "$1" "$2"
+    elif has_lidar "$1" "$2"; then
+        run_lidar "$1" "$2"
+    else
+        run_frames "$1" "$2"
+    fi
     # memory.sh's line: code N of M bytes, RAM N of M bytes
     tools/memory.sh "$1" "$2" | sed -E 's/.* code +([0-9]+) .* RAM +([0-9]+) of.*/flash \1\nram \2/'
 }
@@ -228,6 +249,15 @@ for board; do
         row 'interrupts (all PWM), % of all cycles' "$(value "$board" $app load_pct)" 3 %
         echo "    $(value "$board" $app set_readings) readings; bytes of code:"
         modules "$board" $app
+    done
+    # From the poll that takes a frame to the STOP pin, tests/bench/brake.c holds it to 300.
+    for app in $(apps "$board"); do
+        has_lidar "$board" "$app" || continue
+        echo "$board, $app, at $((clk_hz / 1000)) kHz:"
+        row 'the step alone, mc' "$(value "$board" "$app" step_most)" 1500 mc
+        row 'no path of the step takes more, mc' "$(bounded "$board" "$app" control_step)" 1500 mc
+        echo "    bytes of code:"
+        modules "$board" "$app"
     done
 done
 exit $missed
