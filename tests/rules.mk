@@ -23,13 +23,16 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(LAW_BOARD) tests/loop/$(law)') \
     'APP=tuned tests/run_loop.sh $(LAW_BOARD) tests/loop/brake' \
+    $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop tests/loop/brake tests/loop/tuned') \
     $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES) $(COVERAGE_SUITE)
 
 # tests/loop/brake holds what befalls the chip, which only the fast engine can do; both laws of the brake drive it.
+# brake_far, with the other sensor, takes all these drives, too.
 # Slow tests: in s51 what the fast engine runs in `test`, drives with their outcomes compared, those of minutes
 # on one board; every drive of the brake with the other estimator; the long run of chip against host.
 ENGINE_TESTS := $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
 LONG_SUITES  := $(LONG_TESTS) \
+    $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop/long') \
     $(ENGINE_TESTS:%='ENGINE=s51 %') $(CHIP_TESTS:%='ENGINE=s51 tests/run_chip.sh %') \
     $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
     $(if $(ON_DEFAULT),$(patsubst %,'tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%',$(OTHER_LOOPS) long)) \

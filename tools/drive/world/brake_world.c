@@ -9,6 +9,10 @@
 
 #include <math.h>
 
+/* What a lidar's last frame says reaches the brake that is measured at the pin within four frames'
+ * time: 9.4 ms on the line, up to two periods of the PWM, and the chip's own time. */
+enum { FRAMES_UNDER_WAY = 3 };
+
 struct world {
     struct base base;
     struct rig rig;
@@ -16,6 +20,7 @@ struct world {
     struct sonar sonar;
     struct tfluna tfluna;
     bool is_lidar;
+    int missing;          /* readings in a row */
     struct random missed; /* decides which targets give no echo */
     int64_t now_ns;
     int64_t trigger_rise_ns;
@@ -183,8 +188,12 @@ static void note_answer(struct world *world, enum sensor_answer answer)
         answer = SENSOR_MISSING; /* there is a target, but it gave no echo */
     }
     if (answer == SENSOR_MISSING) {
-        rig_blind(&world->rig, true);
+        world->missing++;
+        if (!world->is_lidar || world->missing > FRAMES_UNDER_WAY) {
+            rig_blind(&world->rig, true);
+        }
     } else if (answer == SENSOR_TARGET || answer == SENSOR_NONE) {
+        world->missing = 0;
         rig_blind(&world->rig, false);
     }
 }
