@@ -503,8 +503,8 @@ static int start_simulator(struct loop *loop)
         .drive = board->pins + BOARD_OUTPUTS,
         .drive_count = INPUTS,
         /* override not held; echo low, or open where no sensor is wired to it */
-        .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS) |
-                  (unsigned)loop->is_unasked << (PIN_ECHO - BOARD_OUTPUTS),
+        .levels = 1u << (PIN_OVERRIDE - BOARD_OUTPUTS) | (unsigned)loop->is_unasked
+                                                             << (PIN_ECHO - BOARD_OUTPUTS),
         .uart_in = loop->setup->scenario->uart.at_s >= 0 || loop->has_bytes,
         .flips = flips,
         .flip_count = list_flips(loop, flips),

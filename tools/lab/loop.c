@@ -19,9 +19,9 @@ enum {
     HAND_OVER_NS = 256000, /* least time to a period in which that takes it */
     TRIGGER_TICKS = 6,
     /* Of a sensor that sends frames. */
-    BYTE_NS = 1041667,       /* at 9600 baud */
+    BYTE_NS = 1041667,  /* at 9600 baud */
     PHASE_NS = 6010000, /* from a scenario's begin to the tick: the self-test ends between two */
-    LATE_NS = 15000000,      /* after a reading the next one is missing */
+    LATE_NS = 15000000, /* after a reading the next one is missing */
     FRAME_WAIT_NS = 50000000 /* without a good frame is a fault: RANGE_WAIT_CS of tfluna.h */
 };
 #define NEVER INT64_MAX
