@@ -83,7 +83,7 @@ $(foreach image,$(ALL_IMAGES),$(eval $(call image_rules,$(image))))
 
 $(OUT)/%.hex: $(OUT)/%.ihx
 	$(Q)packihx $< >$@ 2>/dev/null
-	@tools/memory.sh $(BOARD) $* $(OUT)
+	@tools/memory.sh $(BOARD) $(OUT) $*
 
 # The flasher that suits the chip, its wiring and, when it is missing, where to get it.
 HEX = $(OUT)/$(APP).hex

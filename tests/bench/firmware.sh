@@ -149,7 +149,7 @@ measure() { # BOARD APP
         run_frames "$1" "$2"
     fi
     # memory.sh's line: code N of M bytes, RAM N of M bytes
-    tools/memory.sh "$1" "$2" | sed -E 's/.* code +([0-9]+) .* RAM +([0-9]+) of.*/flash \1\nram \2/'
+    tools/memory.sh "$1" "build/$1" "$2" | sed -E 's/.* code +([0-9]+) .* RAM +([0-9]+) of.*/flash \1\nram \2/'
 }
 
 if [ "${1:-}" = --measure ]; then

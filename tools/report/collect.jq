@@ -12,13 +12,13 @@ def trim: gsub("^\\s+|\\s+$"; "");
 def fields: split("|") | map(trim);
 def or_null: if . == null or . == "" then null else . end;
 def digits: (. // "" | or_null) // "0" | tonumber;
-def rounded($digits): if type == "number" then (. * pow(10; $digits) | round) / pow(10; $digits) else . end;
+def rounded($digits): pow(10; $digits) as $scale | if type == "number" then (. * $scale | round) / $scale else . end;
 
 # --- the tab's description ------------------------------------------------------------------------
 
 # Values of a key, in order.
-def entries($key): $tab | split("\n") | map(select(test("^\\s*(#|$)") | not) | capture("^\\s*(?<key>\\w+)\\s*=\\s*(?<value>.*?)\\s*$"))
-    | map(select(.key == $key) | .value);
+def entries($key): [$tab | split("\n")[] | select(contains($key)) | capture("^\\s*(?<key>\\w+)\\s*=\\s*(?<value>.*?)\\s*$")
+    | select(.key == $key) | .value];
 def first_of($key): entries($key)[0] // "";
 
 def images: [entries("image") | map(fields) | to_entries[]
@@ -90,7 +90,7 @@ def number_words($columns; $runs): reduce $columns[] as $column ({runs: $runs, c
 
 # --- figures ----------------------------------------------------------------------------------------
 
-def axis($table): quantity as $one | [$table[$one.source][] * $one.factor + $one.offset | rounded(6)];
+def axis($table): quantity as $one | [$table[$one.source][] * $one.factor + $one.offset | (. * 1e6 | round) / 1e6];
 # Some thirty values of an axis are enough for a surface.
 def some: unique | (if length > 40 then 4 else 1 end) as $step | [.[range(0; length; $step)]];
 def thinned: (.x | some) as $xs | (.y | some) as $ys

@@ -325,10 +325,11 @@ collect() { # TAB ID
 
 # What the controllers take of each board ("sheets"), and what make bench has left ("texts").
 costs() {
-    local mem board
-    for mem in build/*/*.mem; do
-        board=$(basename "$(dirname "$mem")")
-        if [ -f "firmware/boards/$board.mk" ]; then tools/memory.sh "$board" "$(basename "$mem" .mem)"; fi
+    local fragment board apps
+    for fragment in firmware/boards/*.mk; do
+        board=$(basename "$fragment" .mk)
+        mapfile -t apps < <(existing "build/$board"/*.mem | sed 's|.*/||; s|[.]mem$||')
+        [ ${#apps[@]} -eq 0 ] || tools/memory.sh "$board" "build/$board" "${apps[@]}"
     done >"$work/memory"
     mapfile -t texts < <(existing build/bench/*.txt)
     text_files "${texts[@]}" | jq -c --rawfile memory "$work/memory" -f $here/costs.jq
