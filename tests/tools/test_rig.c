@@ -49,8 +49,7 @@ static double measured(enum metric metric, int64_t t_ns)
 
 #define MEASURES(expected, metric, t_ns)                                                           \
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, expected, measured(METRIC_##metric, t_ns))
-#define NEVER_CAME(metric, t_ns)                                                                   \
-    TEST_ASSERT_EQUAL_DOUBLE(INFINITY, measured(METRIC_##metric, t_ns))
+#define NEVER_CAME(metric, t_ns) TEST_ASSERT_EQUAL_DOUBLE(INFINITY, measured(METRIC_##metric, t_ns))
 
 /* One period of the PWM from T_NS on; the next one must follow at once. */
 static void period(int64_t t_ns, int64_t high_us)
@@ -264,6 +263,7 @@ static void test_that_steps_of_more_than_2_points_are_counted(void)
     begin();
     demand(20 * ms, 3000); /* from 0 %: one */
     MEASURES(1 / 0.1, DUTY_STEPS, 100 * ms);
+    MEASURES(0, STOP_TOGGLES, 100 * ms); /* the PWM is another pin */
     period(30 * ms, 3200);
     period(40 * ms, 3201); /* 32 %: 2 points, which is not more */
     MEASURES(1 / 0.1, DUTY_STEPS, 100 * ms);
@@ -272,6 +272,7 @@ static void test_that_steps_of_more_than_2_points_are_counted(void)
     period(60 * ms, 3000); /* back to 32 %: less than 2 from the last that was counted */
     period(70 * ms, 3000); /* 30 %: 2.01 points */
     MEASURES(3 / 0.1, DUTY_STEPS, 100 * ms);
+    NEVER_CAME(RELEASE_GAP, 100 * ms);
 }
 
 static void test_that_hard_braking_is_5_mps2(void)
@@ -319,6 +320,15 @@ static void test_that_what_counts_from_the_event_on_is_noted_there(void)
     rig_state_reported(&rig, 210 * ms, "FAULT");
     rig_state_reported(&rig, 220 * ms, "FAULT");
     MEASURES(0.11, FAULT_WITHIN, 220 * ms);
+}
+
+static void test_that_a_buzzer_that_goes_off_is_no_alarm(void)
+{
+    scenario.event_s = 0.1;
+    begin();
+    rig_pin(&rig, 50 * ms, PIN_BUZZER, false);
+    rig_pin(&rig, 150 * ms, PIN_BUZZER, true);
+    NEVER_CAME(ALARM_WITHIN, 200 * ms);
 }
 
 static void test_that_the_moment_of_the_event_belongs_to_it(void)
@@ -481,6 +491,7 @@ int main(void)
     RUN_TEST(test_that_steps_of_more_than_2_points_are_counted);
     RUN_TEST(test_that_hard_braking_is_5_mps2);
     RUN_TEST(test_that_what_counts_from_the_event_on_is_noted_there);
+    RUN_TEST(test_that_a_buzzer_that_goes_off_is_no_alarm);
     RUN_TEST(test_that_the_moment_of_the_event_belongs_to_it);
     RUN_TEST(test_that_the_brake_at_the_event_counts);
     RUN_TEST(test_that_changes_while_blind_are_measured_from_before);

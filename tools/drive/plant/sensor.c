@@ -158,7 +158,7 @@ int64_t sensing_boundary_ns(const struct sensing *sensing, int64_t t_ns)
         if (fault->kind < 0) {
             continue;
         }
-        if (fault->kind == FAULT_INTERMITTENT && t_s + cycle_s >= fault->from_s) {
+        if (fault->kind == FAULT_INTERMITTENT) {
             double cycles = floor(fmax(t_s - fault->from_s, 0) / cycle_s);
 
             marks_s[2] = fault->from_s + cycles * cycle_s + fault->off_s;

@@ -57,8 +57,6 @@ static void note_demand(struct rig *rig)
     if (rig->blind) {
         rig->blind_fall_pct = fmax(rig->blind_fall_pct, rig->seen_pct - demand);
         rig->blind_rise_pct = fmax(rig->blind_rise_pct, demand - rig->seen_pct);
-    } else {
-        rig->seen_pct = demand;
     }
     note_release(rig, demand);
 }
