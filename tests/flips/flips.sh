@@ -11,6 +11,7 @@
 # the program counter a drive.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
+. tests/flips/image.sh
 out=build/flips
 mkdir -p "$out"
 instants=${INSTANTS:-4} code=${CODE:-2000} pcs=${PCS:-400}
@@ -18,12 +19,6 @@ instants=${INSTANTS:-4} code=${CODE:-2000} pcs=${PCS:-400}
 registers=81-83,87-8D,90,98,A8,B0,B8,C8,CA-CD,D0,E0,F0
 # Drive, the least brake that it must keep, and instants, the most telling one first.
 drives=("approach 0 0.2 0.5 0.8 1.1" "follow 0 0.5 1 0.2 1.5" "stop 100 0.5 0.1 0.8 1.1" "fault 60 0.7 0.4 1 1.2" "start 0 -0.08 -0.14 -0.12 -0.02")
-
-# The image is linked anew beside the results: the listings of build/BOARD are those of the last link that
-# took an object, which may be another image's.
-symbol() { # NAME BOARD: the address of a variable
-    awk -v name="_$1:" '$NF == name || $NF == name ":" { print substr($1, 5); exit }' "$out/$2"/brake/*/*.rst
-}
 
 fly() { # BOARD DRIVE LEAST WHAT AT...
     local board=$1 drive=$2 least=$3 what=$4 stack
@@ -34,8 +29,12 @@ fly() { # BOARD DRIVE LEAST WHAT AT...
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
     build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
-        --least="$least" --fault-state="$(symbol fault_state "$board")" --unused="$(printf %X $stack)" \
-        --told="$(symbol stack_unused "$board")" "${options[@]}" -o "$out/$board.$drive.$what.csv"
+        --least="$least" --fault-state="$(address_of "$out" "$board" fault_state)" --unused="$(printf %X $stack)" \
+        --told="$(address_of "$out" "$board" stack_unused)" "${options[@]}" -o "$out/$board.$drive.$what.csv" || return
+    [ "$(wc -l <"$out/$board.$drive.$what.csv")" -gt 1 ] || {
+        echo "flips: error: no run is in $out/$board.$drive.$what.csv" >&2
+        return 1
+    }
 }
 
 # The runs by outcome, a line a drive and kind; then the worst addresses.
@@ -61,7 +60,7 @@ summary() { # BOARD
 status=0
 for board; do
     rm -f "$out/$board".*
-    make -s BOARD="$board" OUT="$out/$board" "$out/$board/brake.ihx" || exit 2
+    link_brake "$out" "$board" || exit 2
     for drive in "${drives[@]}"; do
         read -r name least at <<<"$drive"
         # shellcheck disable=SC2206  # a list of words
