@@ -101,12 +101,12 @@ def rows($figure; $image): ($figure.file | sub("^build/report"; $out) | gsub("{}
     | $tables[0][$name] as $table
     | if $name == "" or $table == null then null else
         {x: ($figure.x | axis($table)), y: ($figure.y | axis($table)), value: ($figure.value | axis($table))}
-        + (if $figure.kind == "rules" then {also: ($figure.show | axis($table))} else {} end)
+        + (if $figure.kind == "rules" or $figure.kind == "diagram" then {also: ($figure.show | axis($table))} else {} end)
         | if $figure.kind == "surface" then thinned else . end
       end;
 def figures($images; $ran): [entries("figure")[] | fields
     | {kind: .[0], title: .[1], caption: .[2], wide: (.[3] != "each"), file: (.[4] // ""), group: (.[5] // ""),
-       x: (.[6] // ""), xLabel: (.[7] // ""), y: (.[8] // ""), yLabel: (.[9] // ""), value: (.[10] // ""), show: (.[11] // "")}
+       x: (.[6] // ""), xLabel: (.[7] // ""), y: (.[8] // ""), yLabel: (.[9] // ""), value: (.[10] // ""), show: (.[11] // ""), inputs: (.[12] // "")}
     | . as $figure
     | .items = [if .wide then {images: [$images[].id], caption: ""} else $images[] | {images: [.id], caption: .name} end
         | . + {rows: rows($figure; .images[0])}

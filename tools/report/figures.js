@@ -139,6 +139,42 @@ function ruleMap(tab, settings, images, rows) {
     return cellMap(400, 250, xs, ys.map((y) => Number(y.toFixed(2))), cells.map((cell) => ({ ...cell, text: "" })), settings.xLabel, settings.yLabel, texts);
 }
 
+/* The same table as a state diagram: its answers, and which inputs lead from one to another. settings.inputs
+ * names each input and its thresholds: "gap, 2 m, 4 m; closing speed, 1 m/s". The third input is in the order
+ * of the rows. */
+function answerDiagram(tab, settings, images, rows) {
+    const inputs = settings.inputs.split(";").map((text) => text.split(",").map((word) => word.trim()));
+    const xs = sorted(rows.x), ys = sorted(rows.y), depth = rows.value.length / xs.length / ys.length;
+    const words = ["slow down", "hold", "speed up"], seen = new Map(), cells = new Map(), edges = new Map();
+    rows.value.forEach((value, k) => {
+        const place = `${xs.indexOf(rows.x[k])} ${ys.indexOf(rows.y[k])}`, asks = rows.also[k] > 0;
+        const third = seen.get(place) ?? 0;
+        seen.set(place, third + 1);
+        cells.set(`${place} ${third}`, { name: words[value + 1] + (asks ? ", lane" : ""), x: asks ? 390 : 75, y: 130 - 95 * value });
+    });
+    const nodes = new Map([...cells.values()].map((cell) => [cell.name, cell]));
+    for (const [key, cell] of cells)
+        inputs.forEach(([input, ...thresholds], axis) => {
+            const index = key.split(" ").map(Number), at = index[axis]++, next = cells.get(index.join(" "));
+            if (!next || next.name === cell.name) return;
+            const pair = [cell.name, next.name].sort().join("|"), edge = edges.get(pair) ?? new Map();
+            edge.set(input, (edge.get(input) ?? new Set()).add(thresholds[at]));
+            edges.set(pair, edge);
+        });
+    if (depth !== (inputs[2]?.length ?? 1)) throw new Error(`${settings.title}: ${depth} cells of the third input`);
+    return svg(470, 260,
+        [...edges].map(([pair, edge]) => {
+            const [from, to] = pair.split("|").map((name) => nodes.get(name)), upright = from.x === to.x, level = from.y === to.y;
+            const texts = [...edge].map(([input, thresholds]) => `${input} ${[...thresholds].join(", ")}`);
+            const x = (from.x + to.x) / 2 + (upright ? 6 : level ? 0 : 112), y = (from.y + to.y) / 2 + (level ? -7 - 13 * (texts.length - 1) : upright ? 4 - 6.5 * (texts.length - 1) : 26);
+            return [line([[from.x, from.y], [to.x, to.y]], 'stroke="var(--soft)" stroke-width="1.5"'),
+                texts.map((text, k) => label(x, y + 13 * k, text, upright ? "start" : "middle", 11))];
+        }),
+        [...nodes.values()].map(({ name, x, y }) => [
+            `<rect x="${x - 55}" y="${y - 16}" width="110" height="32" rx="14" fill="var(--m${name.startsWith("slow") ? 4 : name.startsWith("hold") ? 2 : 0})"/>`,
+            label(x, y + 4, name, "middle", 12, "ink")]));
+}
+
 /* --- other figures ------------------------------------------------------------------------------- */
 
 /* Impact speed over closing speed; the scenarios of a group, named PREFIX_SPEED. */
@@ -203,4 +239,4 @@ function tableSurface(tab, settings, images, rows) {
 }
 
 /* By the name that a tab's description gives. */
-const figures = { map: avoidanceMap, starts: startMap, rules: ruleMap, limit: impactOverSpeed, surface: tableSurface };
+const figures = { map: avoidanceMap, starts: startMap, rules: ruleMap, diagram: answerDiagram, limit: impactOverSpeed, surface: tableSurface };

@@ -115,9 +115,10 @@ function publishedTable(tab) {
     const ours = (row, image) => {
         const run = runOf(tab, image.id, row.scenario), value = run?.ok ? run.values[row.measure] : null;
         if (!run) return make("td", { class: "gone" }, "not run");
-        if (row.measure !== "impact_mps" && run.values?.impact_mps > 0) return make("td", { class: "hit" }, "impact");
+        const hits = row.measure !== "impact_mps" && run.values?.impact_mps > 0;
+        if (hits && !(value > 0)) return make("td", { class: "hit" }, "impact");
         const far = Number(row.said) ? `, ${value < row.said ? "−" : "+"}${number(Math.abs(value - row.said), row.digits)}` : "";
-        return make("td", {}, value == null ? "–" : `${number(value, row.digits)} ${row.unit}${far}`);
+        return make("td", {}, value == null ? "–" : `${number(value, row.digits)} ${row.unit}${far}${hits ? ", then impact" : ""}`);
     };
     return make("section", { class: "card" }, make("h2", {}, "Published, and here"),
         make("p", { class: "note" }, "The publication's figure, then what the image does on the same case, and how far that is from the figure."),

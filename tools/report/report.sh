@@ -100,7 +100,7 @@ is_wanted() { # SCENARIO-NAME
 # prefix that marks a variant's files, so that variants share a row.
 scenarios_of() { # TAB
     local prefixes first key file name
-    prefixes=$(tab_values "$1" variant | tr ' ' '|')
+    prefixes=$(tab_values "$1" variant | paste -sd '|')
     first=$(tab_images "$1" | head -n 1)
     for key in scenarios own; do
         for file in $(tab_values "$1" $key); do
