@@ -72,7 +72,7 @@ all: tools firmware   ## tools, and the firmware of all boards with the memory t
 
 include tools/rules.mk firmware/rules.mk tests/rules.mk docs/rules.mk
 # These install what they need first.
-TARGETS := demo sim unit unit-chip report bench test test-long attack flips prove test-prove mutants fuzz pictures
+TARGETS := demo sim unit unit-chip report bench test test-long attack flips flips-all prove test-prove mutants fuzz pictures
 .PHONY: $(TARGETS)
 demo:      ## the real firmware in the simulator, on a telling drive of APP, with a picture
 sim:       ## one drive: make sim APP=park SCENARIO=tests/loop/park/t1_demo.scn
@@ -84,6 +84,7 @@ test:      ## the tests; ends with 'N passed, N failed'
 test-long: ## the two engines beside each other on every drive; the brake with the other estimator
 attack:    ## drives of chance, 10,000 for each law of the brake, 400 for each other controller; fails if one in a thousand is odd
 flips:     ## flips every bit of the chip, in five drives of the brake, and says what came of it
+flips-all: ## the same at every cycle of a control period; takes hours
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
 test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail
 mutants:   ## changes the firmware, and what judges it, in thousands of ways; a unit test must find each

@@ -4,17 +4,18 @@
 #     tests/flips/flips.sh BOARD...
 # Flips each bit of RAM and of each register that the brake uses, at 20 instants of five drives; then bits of
 # the code and of the program counter by chance, and bits of RAM that stick. Leaves build/flips/BOARD.txt, a
-# table, and all runs as build/flips/BOARD.DRIVE.WHAT.csv. Ends with 1 if on a board with a watchdog a flip of
+# table, build/flips/map.csv, which the report shows, and all runs as build/flips/BOARD.DRIVE.WHAT.csv. Ends with 1 if on a board with a watchdog a flip of
 # RAM or of a register is unsafe, but for those that stop the clock (PCON).
 #
 # INSTANTS, CODE, PCS in the environment: how many instants a drive (1 to 4), random flips of the code and of
-# the program counter a drive.
+# the program counter a drive. WINDOW: in place of all that, each bit at each cycle of so many milliseconds in
+# each drive; then the table counts bits and cycles, and lies in build/flips/BOARD.space.txt.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 . tests/flips/image.sh
 out=build/flips
 mkdir -p "$out"
-instants=${INSTANTS:-4} code=${CODE:-2000} pcs=${PCS:-400}
+instants=${INSTANTS:-4} code=${CODE:-2000} pcs=${PCS:-400} window=${WINDOW:-0}
 # SP DPL DPH PCON TCON TMOD TL0 TL1 TH0 TH1 P1 SCON IE P3 IP T2CON RCAP2L RCAP2H TL2 TH2 PSW ACC B
 registers=81-83,87-8D,90,98,A8,B0,B8,C8,CA-CD,D0,E0,F0
 # Drive, the least brake that it must keep, and instants, the most telling one first.
@@ -25,7 +26,8 @@ fly() { # BOARD DRIVE LEAST WHAT AT...
     shift 4
     stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' "$out/$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
     local options=(--ram=00-FF)
-    [ "$what" != bits ] || options+=("--sfr=$registers")
+    [[ $what != bits && $what != space ]] || options+=("--sfr=$registers")
+    [ "$what" != space ] || options+=("--window=$window" --sample=200)
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
     build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
@@ -37,30 +39,67 @@ fly() { # BOARD DRIVE LEAST WHAT AT...
     }
 }
 
-# The runs by outcome, a line a drive and kind; then the worst addresses.
-summary() { # BOARD
+# The outcomes, a line a drive and kind, of files in which a line is a run, or with counts of bits and cycles.
+summary() { # FILE...
     local file
-    printf '%-10s %-6s %8s %8s %10s %10s %8s %9s %8s\n' drive what runs none corrected safe-stop FAULT watchdog unsafe
-    for file in "$out/$1".*.csv; do
+    printf '%-10s %-6s %10s %10s %10s %10s %10s %10s %10s\n' drive what runs none corrected safe-stop FAULT watchdog unsafe
+    for file; do
+        [ -f "$file" ] || continue
         awk -F , -v OFS=' ' -v file="$(basename "$file" .csv)" '
-            NR > 1 { runs++; count[$6]++ }
+            BEGIN { names = split("none corrected safe-stop FAULT watchdog unsafe", name, " ") }
+            FNR == 1 { counts = $4 == "none"; next }
+            counts { for (i = 1; i <= names; i++) { count[name[i]] += $(3 + i); runs += $(3 + i) } }
+            !counts { runs++; count[$6 == "lost" ? "unsafe" : $6]++ }
             END {
                 split(file, part, ".")
-                printf "%-10s %-6s %8d %8d %10d %10d %8d %9d %8d\n", part[2], part[3], runs, count["none"], count["corrected"],
-                    count["safe-stop"], count["FAULT"], count["watchdog"], count["unsafe"] + count["lost"]
+                printf "%-10s %-6s %10d", part[2], part[3], runs
+                for (i = 1; i <= names; i++) printf " %10d", count[name[i]]
+                print ""
             }' "$file"
     done
-    echo
-    echo "the worst: place, address, unsafe runs, why"
-    awk -F , 'FNR > 1 && ($6 == "unsafe" || $6 == "lost") { n[$1 " " $3]++; why[$1 " " $3] = why[$1 " " $3] " " $7 }
-        END { for (place in n) print place, n[place], why[place] }' "$out/$1".*.csv | sort -k3,3nr -k1 |
-        awk '{ seen = ""; for (i = 4; i <= NF; i++) if (index(seen, $i) == 0) seen = seen " " $i; print "  " $1, $2, $3 seen }' | head -n 10
 }
 
-status=0
-for board; do
-    rm -f "$out/$board".*
-    link_brake "$out" "$board" || exit 2
+# The ten addresses of a kind that are unsafe most often, with why.
+worst() { # BOARD WHAT
+    echo
+    echo "the worst of $2: unsafe ones, place, address, why"
+    if [ "$2" = space ]; then
+        awk -F , 'FNR > 1 && $9 > 0 { n[$1 " " $2] += $9 } END { for (place in n) print n[place], place }' "$out/$1".*."$2".csv
+    else
+        awk -F , 'FNR > 1 && ($6 == "unsafe" || $6 == "lost") { place = $1 " " ($1 == "pc" ? "bit " $4 : $3); n[place]++; if (!index(why[place], $7)) why[place] = why[place] " " $7 }
+            END { for (place in n) print n[place], place why[place] }' "$out/$1".*."$2".csv
+    fi | sort -k1,1nr -k2 | head -n 10 | sed 's/^/  /'
+}
+
+# For the report, of the first board: of each byte the worst that any bit of it came to; a register's line is
+# 16 more than in its address.
+map() { # BOARD
+    awk -F , '
+        BEGIN { print "high,low,outcome"; names = split("none corrected safe-stop FAULT watchdog unsafe", name, " "); for (i = 1; i <= names; i++) rank[name[i]] = i - 1; rank["lost"] = names - 1 }
+        function nibble(digit) { return index("0123456789ABCDEF", digit) - 1 }
+        FNR > 1 { place = 16 * nibble(substr($3, 3, 1)) + nibble(substr($3, 4, 1)) + ($1 == "sfr" ? 256 : 0); if (!(place in worst) || rank[$6] > worst[place]) worst[place] = rank[$6] }
+        END { for (place = 0; place < 512; place++) if (place in worst) print int(place / 16) "," place % 16 "," worst[place] }' "$out/$1".*.bits.csv >"$out/map.csv"
+}
+
+# Each bit at each cycle.
+every_cycle() { # BOARD
+    local board=$1 name least at
+    rm -f "$out/$board".*.space.csv
+    for drive in "${drives[@]}"; do
+        read -r name least at _ <<<"$drive"
+        fly "$board" "$name" "$least" space "$at" || exit 1
+    done
+    {
+        echo "$board: what became of each bit, flipped at each cycle of $window ms"
+        summary "$out/$board".*.space.csv
+        worst "$board" space
+    } | tee "$out/$board.space.txt"
+}
+
+# Each bit at some instants; the code and the program counter by chance.
+some_instants() { # BOARD
+    local board=$1 name least at what
+    rm -f "$out/$board".*.{bits,pc,code,stuck}.csv
     for drive in "${drives[@]}"; do
         read -r name least at <<<"$drive"
         # shellcheck disable=SC2206  # a list of words
@@ -70,7 +109,23 @@ for board; do
         [ "$code" -eq 0 ] || fly "$board" "$name" "$least" code "${at[@]:0:instants}" || exit 1
         [ "$instants" -lt 4 ] || fly "$board" "$name" "$least" stuck "${at[0]}" || exit 1
     done
-    { echo "$board: what became of flipped bits"; summary "$board"; } | tee "$out/$board.txt"
+    {
+        echo "$board: what became of flipped bits"
+        summary "$out/$board".*.{bits,pc,code,stuck}.csv
+        for what in bits code pc; do worst "$board" "$what"; done
+    } | tee "$out/$board.txt"
+    [ "$board" != "$first" ] || map "$board"
+}
+
+status=0
+first=${1:?"which board?"}
+for board; do
+    link_brake "$out" "$board" || exit 2
+    if [ "$window" -gt 0 ]; then
+        every_cycle "$board"
+        continue
+    fi
+    some_instants "$board"
     if ! grep -q 'WATCHDOG *:= *none' "firmware/boards/$board.mk" &&
         awk -F , '$6 == "unsafe" && $3 != "0x87" { found = 1 } END { exit !found }' "$out/$board".*.bits.csv; then
         echo "flips: error: on $board a flip of RAM or of a register is unsafe; see $out/$board.*.bits.csv" >&2

@@ -55,6 +55,16 @@ for name in at89s52 generic8052; do
         awk -F, '$6 == "FAULT" || $6 == "watchdog" { n++ } END { exit !(NR == 61 && n >= 57) }' "$out/$board.csv"
 done
 
+# Every flip of a few bytes within a millisecond, without flying each, against some that are flown by themselves.
+flip approach --at=0.5 --what=space --window=1 --sample=40 --ram="$(bytes brake 2)" --sfr=81,D0 \
+    --fault-state="$(address fault_state)" -o "$out/space.csv" 2>"$out/said"
+say "flip looks at every cycle" $?
+check "each bit is looked at in the same number of cycles, most of a millisecond's" awk -F, '
+    NR > 1 { n = 0; for (i = 4; i <= NF; i++) n += $i; if (n < 800 || n > 1000 || (m && n != m)) exit 1; m = n } END { exit NR != 33 }' "$out/space.csv"
+check "some of the flips are not harmless" awk -F, 'NR > 1 { other += $5 + $7 + $8; none += $4 } END { exit !(other > 100 && none > 100) }' "$out/space.csv"
+check "a flip flown by itself comes to what its class does" awk '
+    /^flip: [0-9]+ runs; of [0-9]+ flips by chance/ { good = $2 > 10 && $5 >= 30 && $12 == $5 } END { exit !good }' "$out/said"
+
 # --- what flip says of odd input ------------------------------------------------------------------------
 good=("--board=$board" --scenario=tests/flips/stop.scn --at=0.5)
 refuses "no board" 2 "give --board, --scenario and --at" build/flip

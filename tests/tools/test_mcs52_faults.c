@@ -154,6 +154,33 @@ static void test_that_chips_differ_where_their_ways_part(void)
     other = NULL;
 }
 
+/* From a snapshot a chip goes on as the one did that it was taken of, whatever it did before. */
+static void test_that_a_snapshot_goes_on_alike(void)
+{
+    struct mcs52_snapshot early, late, again;
+
+    /* 0000: MOV TMOD, #11h; MOV TCON, #50h; INC 30h; MOV A, TL1; MOV SBUF, A; SJMP -8 */
+    const uint8_t code[] = {0x75, 0x89, 0x11, 0x75, 0x88, 0x50, 0x05,
+                            0x30, 0xE5, 0x8B, 0xF5, 0x99, 0x80, 0xF8};
+
+    mcs52_load(chip, 0, code, sizeof code);
+    mcs52_jump(chip, 0);
+    mcs52_run(chip, 333);
+    mcs52_snapshot(chip, &early);
+    mcs52_run(chip, 5000);
+    mcs52_snapshot(chip, &late);
+    TEST_ASSERT_NOT_EQUAL(0, memcmp(&early, &late, sizeof early));
+    mcs52_ram(chip)[0x30] ^= 0x80;
+    set(TMOD, 0x22);
+    mcs52_revive(chip, &early);
+    mcs52_snapshot(chip, &again);
+    TEST_ASSERT_EQUAL_MEMORY(&early, &again, sizeof early);
+    mcs52_revive(chip, &early);
+    mcs52_run(chip, 5000);
+    mcs52_snapshot(chip, &again);
+    TEST_ASSERT_EQUAL_MEMORY(&late, &again, sizeof late);
+}
+
 /* A flag that has been set for a while makes no difference by the cycle in which it was set, nor
  * does one that is gone. */
 static void test_that_old_requests_make_no_difference(void)
@@ -203,6 +230,7 @@ int main(void)
     RUN_TEST(test_that_flips_come_in_their_order);
     RUN_TEST(test_that_bits_that_are_not_there_are_refused);
     RUN_TEST(test_that_chips_differ_where_their_ways_part);
+    RUN_TEST(test_that_a_snapshot_goes_on_alike);
     RUN_TEST(test_that_old_requests_make_no_difference);
 #ifndef __SANITIZE_ADDRESS__
     RUN_TEST(test_that_no_memory_is_no_chip);

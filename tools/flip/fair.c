@@ -58,21 +58,46 @@ static void note_input(void *user, int64_t t_ns, enum board_pin pin, bool level)
 
 /* --- the drive ---------------------------------------------------------------------------- */
 
+static struct mcs52 *copy_of(const struct mcs52 *chip)
+{
+    struct mcs52 *copy = mcs52_create(MCS52_INTEL, &(struct mcs52_outside){0});
+
+    mcs52_copy(copy, chip);
+    return copy;
+}
+
+/* From power up to the first trigger. */
+static void record_boot(struct fair *fair, struct loop *loop)
+{
+    const uint64_t apart_mc = 10000;
+    struct mcs52 *chip = fast_chip(run_sim(loop));
+    uint64_t next = 0;
+
+    do {
+        if (mcs52_cycles(chip) >= next && fair->boot_count < FAIR_BOOTS) {
+            fair->boots[fair->boot_count++] = copy_of(chip);
+            next += apart_mc;
+        }
+    } while (run_boot(loop));
+}
+
 void fair_record(struct fair *fair, struct run *run, const struct run_setup *setup, long fault_at)
 {
     struct recorder recorder = {.fair = fair, .run = run, .board = setup->board};
     const struct run_observer observer = {.user = &recorder, .pin = note_input};
-    struct loop *loop = run_begin(run, setup, &observer, 1);
+    struct loop *loop = run_power_up(run, setup, &observer, 1);
 
     recorder.loop = loop;
+    if (loop != NULL) {
+        record_boot(fair, loop);
+    }
     while (loop != NULL && fair->row_count < FAIR_ROWS && run_next(loop)) {
         int row = fair->row_count++;
 
         fair->rows[row] =
             fair_row_of(setup->scenario->world, run_world(loop), &fair->speeds_mps[row]);
         fair->fault = fair->fault || fair_is_in_fault(loop, fault_at);
-        fair->chips[row] = mcs52_create(MCS52_INTEL, &(struct mcs52_outside){0});
-        mcs52_copy(fair->chips[row], fast_chip(run_sim(loop)));
+        fair->chips[row] = copy_of(fast_chip(run_sim(loop)));
     }
     fair->boot_ns = run->boot_ns;
     if (loop != NULL) {
@@ -81,6 +106,19 @@ void fair_record(struct fair *fair, struct run *run, const struct run_setup *set
         fair->min_gap_m = run->outcome.values[METRIC_MIN_GAP];
         run_free(run);
     }
+}
+
+struct mcs52 *fair_start_before(const struct fair *fair, uint64_t cycle)
+{
+    struct mcs52 *start = fair->boots[0];
+
+    for (int i = 0; i < fair->boot_count && mcs52_cycles(fair->boots[i]) <= cycle; i++) {
+        start = fair->boots[i];
+    }
+    for (int i = 0; i < fair->row_count && mcs52_cycles(fair->chips[i]) <= cycle; i++) {
+        start = fair->chips[i];
+    }
+    return start;
 }
 
 /* --- the same? ---------------------------------------------------------------------------- */

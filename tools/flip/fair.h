@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { FAIR_ROWS = 2000, FAIR_INPUTS = 2000 };
+enum { FAIR_ROWS = 2000, FAIR_INPUTS = 2000, FAIR_BOOTS = 200 };
 
 /* The world changed a pin. */
 struct fair_input {
@@ -24,6 +24,8 @@ struct fair {
     double speeds_mps[FAIR_ROWS];
     struct mcs52 *chips[FAIR_ROWS]; /* at the end of each row */
     int row_count;
+    struct mcs52 *boots[FAIR_BOOTS]; /* every 10 ms from power up to the first trigger */
+    int boot_count;
     struct fair_input inputs[FAIR_INPUTS];
     int input_count;
     int64_t boot_ns; /* from power up to the first trigger */
@@ -33,6 +35,9 @@ struct fair {
 
 /* Runs the drive once. FAULT_AT: where RAM says that the controller is in FAULT; -1: not known. */
 void fair_record(struct fair *fair, struct run *run, const struct run_setup *setup, long fault_at);
+
+/* The last chip that was kept until CYCLE. */
+struct mcs52 *fair_start_before(const struct fair *fair, uint64_t cycle);
 
 /* What the judge wants to know of the present moment; the own car's speed. */
 struct judge_row fair_row_of(const struct world_class *class, const struct world *world,

@@ -58,6 +58,24 @@ void judge_take(struct judge *judge, const struct judge_row *row, const struct j
         judge->more_pct = fmax(judge->more_pct, more);
     }
     judge->other_pct = fmax(judge->other_pct, fabs(more));
+    if (!judge->has_gap || row->gap_m < judge->least_gap_m) {
+        judge->least_gap_m = row->gap_m;
+        judge->has_gap = true;
+    }
+}
+
+uint64_t judge_key(const struct judge *judge)
+{
+    const double same_m = 1e-3;
+    uint64_t key = isinf(judge->least_gap_m) ? 0 : (uint64_t)llround(judge->least_gap_m / same_m);
+
+    key = key << 3 | judge->harm;
+    key = key << 1 | (judge->more_pct > 0);
+    key = key << 1 | (judge->other_pct > same_pct);
+    key = key << 9 | (unsigned)judge->off_rows;
+    key = key << 9 | (unsigned)judge->weak_rows;
+    key = key << 9 | (unsigned)judge->full_rows;
+    return key << 9 | (unsigned)judge->more_rows;
 }
 
 enum verdict judge_end(struct judge *judge, bool impact, bool fair_impact, double min_gap_m,

@@ -5,6 +5,7 @@
 #define FUZZY51_FLIP_JUDGE_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 /* From harmless to harmful; the last one that applies. */
 enum verdict {
@@ -42,6 +43,8 @@ struct judge {
     enum harm harm;
     double more_pct;  /* the most that it brakes more than without the fault, for a while */
     double other_pct; /* the most that the demand differs at all */
+    bool has_gap;
+    double least_gap_m; /* so far, of a row */
     int off_rows, weak_rows, full_rows, more_rows;
 };
 
@@ -52,6 +55,9 @@ const char *judge_harm_name(enum harm harm);
  * without the fault demands at least that much, the one with it must, too; 0: it need not. */
 void judge_take(struct judge *judge, const struct judge_row *row, const struct judge_row *fair,
                 double least_pct);
+
+/* Two judges with equal keys will come to the same, if the rest of their drives is the same. */
+uint64_t judge_key(const struct judge *judge);
 
 /* The drives are over. IMPACT, FAIR_IMPACT: they ended so; the least gaps of both; RESETS by the
  * watchdog; FAULT: the controller was there because of the fault in the chip. */

@@ -12,9 +12,12 @@
 #include "plan.h"
 #include "run.h"
 #include "scenario.h"
+#include "space.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+
+enum { MAX_CLASSES = 10000000 }; /* memory is taken only for those that there are */
 
 const char *argp_program_version = "fuzzy51 " FUZZY51_VERSION;
 
@@ -41,14 +44,18 @@ static void print_cases(FILE *out, const struct plan *plan)
     }
 }
 
-static int print(const struct arguments *arguments, const struct plan *plan)
+static int print(const struct arguments *arguments, const struct plan *plan, struct space *space)
 {
     struct outfile file = {.stream = stdout};
 
     if (arguments->output != NULL && outfile_open(&file, arguments->output) != EXIT_FINE) {
         return EXIT_INPUT;
     }
-    print_cases(file.stream, plan);
+    if (space != NULL) {
+        space_print(file.stream, space, plan);
+    } else {
+        print_cases(file.stream, plan);
+    }
     return arguments->output != NULL ? outfile_commit(&file) : EXIT_FINE;
 }
 
@@ -85,6 +92,7 @@ int main(int argc, char **argv)
     static struct fair fair;
     static struct run run;
     struct plan plan;
+    struct space *space = NULL;
     struct run_setup setup = {
         .engine = &fast_engine, .quantum_us = RUN_QUANTUM_US, .step_us = WORLD_STEP_NS / 1000};
     struct flight flight = {.run = &run,
@@ -110,7 +118,16 @@ int main(int argc, char **argv)
         diag_error(setup.hex, 0, "the drive without a fault does not begin");
         return EXIT_USAGE;
     }
-    plan_make(&plan, &arguments, &hex, fair.boot_ns, setup.board->clk_hz);
+    if (arguments.what == WHAT_SPACE) {
+        plan_init(&plan, MAX_CLASSES);
+        space = space_search(&fair, setup.board, &hex, &arguments, &plan);
+        if (space == NULL) {
+            return EXIT_INPUT;
+        }
+    } else {
+        plan_make(&plan, &arguments, &hex, fair.boot_ns, setup.board->clk_hz);
+    }
+    flight.meet = meet_create();
     fly(&flight);
-    return print(&arguments, &plan);
+    return print(&arguments, &plan, space);
 }

@@ -117,6 +117,11 @@ static int by_cycle(const void *a, const void *b)
     return p->cycle < q->cycle ? -1 : p->cycle > q->cycle;
 }
 
+void plan_sort(struct plan *plan)
+{
+    qsort(plan->cases, plan->count, sizeof *plan->cases, by_cycle);
+}
+
 void plan_make(struct plan *plan, const struct arguments *arguments, const struct hexfile *hex,
                int64_t boot_ns, long clk_hz)
 {
@@ -139,7 +144,7 @@ void plan_make(struct plan *plan, const struct arguments *arguments, const struc
             add_random(&planner, hex, t_s, &random);
         }
     }
-    qsort(plan->cases, plan->count, sizeof *plan->cases, by_cycle);
+    plan_sort(plan);
 }
 
 const char *plan_where_name(enum where where)

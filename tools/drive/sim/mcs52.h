@@ -116,6 +116,18 @@ void mcs52_jump(struct mcs52 *chip, uint16_t pc);
  * coverage map. */
 void mcs52_copy(struct mcs52 *to, const struct mcs52 *from);
 
+/* A small checkpoint: all but code, XDATA, what the outside does to the pins later, and faults.
+ * Brings the chip up to date for that, so that chips that go on alike have equal snapshots. Not of
+ * a chip in power-down. */
+enum { MCS52_SNAPSHOT_BYTES = 1024 };
+struct mcs52_snapshot {
+    uint8_t bytes[MCS52_SNAPSHOT_BYTES];
+};
+void mcs52_snapshot(struct mcs52 *chip, struct mcs52_snapshot *snapshot);
+
+/* CHIP goes on from SNAPSHOT, with its own code and XDATA. */
+void mcs52_revive(struct mcs52 *chip, const struct mcs52_snapshot *snapshot);
+
 /* Two chips at the same cycle would behave alike from now on. Brings both up to date for that. */
 bool mcs52_equal(struct mcs52 *a, struct mcs52 *b);
 

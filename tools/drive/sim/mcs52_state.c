@@ -113,6 +113,39 @@ static bool same_queue(const struct mcs52 *a, const struct mcs52 *b)
     return true;
 }
 
+/* --- snapshots ---------------------------------------------------------------------------- */
+
+/* The last two fields are compared by mcs52_equal, but are no part of a snapshot. */
+enum { LARGE_FIELDS = 2, SMALL_FIELDS = sizeof fields / sizeof fields[0] - LARGE_FIELDS };
+
+void mcs52_snapshot(struct mcs52 *chip, struct mcs52_snapshot *snapshot)
+{
+    uint8_t *to = snapshot->bytes;
+
+    normalize(chip);
+    for (size_t i = 0; i < SMALL_FIELDS; i++) {
+        memcpy(to, (const char *)chip + fields[i].at, fields[i].size);
+        to += fields[i].size;
+    }
+    memcpy(to, chip->pins, sizeof chip->pins);
+    memset(to + sizeof chip->pins, 0,
+           (size_t)(snapshot->bytes + MCS52_SNAPSHOT_BYTES - to) - sizeof chip->pins);
+}
+
+void mcs52_revive(struct mcs52 *chip, const struct mcs52_snapshot *snapshot)
+{
+    const uint8_t *from = snapshot->bytes;
+
+    for (size_t i = 0; i < SMALL_FIELDS; i++) {
+        memcpy((char *)chip + fields[i].at, from, fields[i].size);
+        from += fields[i].size;
+    }
+    memcpy(chip->pins, from, sizeof chip->pins);
+    chip->queue_count = 0;
+    chip->due[EVENT_PIN] = NEVER;
+    mcs52_poll(chip);
+}
+
 bool mcs52_equal(struct mcs52 *a, struct mcs52 *b)
 {
     normalize(a);
