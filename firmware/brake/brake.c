@@ -10,7 +10,7 @@ __data struct range_reading range_reading;
 
 static uint8_t demand_pct; /* what the brake does but for STOP and override */
 static __bit is_in_reach;  /* the target, of the law */
-static uint8_t override_cs;
+static uint16_t override_cs;
 
 /* Of the last reading. What is within BRAKE_STOP_MM is STOP at once; in brake_finish the latch
  * takes over. */
@@ -19,8 +19,8 @@ static __bit is_believed, is_within;
 /* Holds from brake_init on. */
 /*@ predicate brake_is_valid =
         demand_pct <= 100 && (fault_state != FAULT_GOOD ==> demand_pct >= FAULT_PCT) &&
-        override_cs <= BRAKE_OVERRIDE_CS &&
-        (brake.overridden <==> override_cs == BRAKE_OVERRIDE_CS) &&
+        override_cs <= BRAKE_OVERRIDE_END_CS &&
+        (brake.overridden ==> override_cs >= BRAKE_OVERRIDE_CS) &&
         fault_is_valid && latch_is_valid && target_is_valid;
     predicate brake_is_settled =
         (brake.stop <==> !brake.overridden && (is_within || latch_state != LATCH_OPEN)) &&
@@ -105,21 +105,30 @@ void brake_init(uint8_t fault)
 }
 
 /*@ requires brake_is_valid && brake_is_settled;
-    assigns brake.brake_pct, brake.stop, brake.state, demand_pct, fault_state, fault_code;
+    assigns brake.brake_pct, brake.stop, brake.state, demand_pct, fault_state, fault_code,
+            latch_state;
     ensures brake_is_valid && brake_is_settled;
+    ensures latch_state == (fault == BRAKE_FAULT_PWM && FAULT_PCT > 0 ? LATCH_HELD
+                                                                     : \old(latch_state));
     ensures t2_holds: FAULT_PCT > 0 ==> brake.brake_pct >= \old(brake.brake_pct); */
 void brake_fail(uint8_t fault)
 {
     if (fault_fail(fault)) {
         demand_fault();
-        settle();
     }
+#if FAULT_PCT > 0
+    if (fault == BRAKE_FAULT_PWM) {
+        latch_hold();
+    }
+#endif
+    settle();
 }
 
 uint8_t brake_sum(void)
 {
     return brake.brake_pct ^ brake.stop ^ brake.warn ^ brake.state ^ brake.overridden ^ demand_pct ^
-           override_cs ^ latch_sum() ^ fault_sum() ^ target_sum() ^ closing_sum();
+           (uint8_t)override_cs ^ (uint8_t)(override_cs >> 8) ^ latch_sum() ^ fault_sum() ^
+           target_sum() ^ closing_sum();
 }
 
 /*@ assigns BEGINNING;
@@ -361,7 +370,9 @@ void brake_finish(void)
     assigns brake.brake_pct, brake.stop, brake.state, brake.overridden, demand_pct, override_cs,
             latch_state, fault_state, silence_cs, good_readings;
     ensures brake_is_valid && brake_is_settled;
-    ensures override_cs == (override_held ? \min(\old(override_cs) + 1, BRAKE_OVERRIDE_CS) : 0);
+    ensures override_cs == (override_held ? \min(\old(override_cs) + 1, BRAKE_OVERRIDE_END_CS) : 0);
+    ensures t8_override: brake.overridden <==> override_held && override_cs >= BRAKE_OVERRIDE_CS &&
+                \old(override_cs) < BRAKE_OVERRIDE_END_CS;
     ensures latch_state == (brake.overridden ? LATCH_OPEN : \old(latch_state));
     ensures FAULT_PCT > 0 ==> demand_pct >= \old(demand_pct);
     ensures silence_cs == \min(\old(silence_cs) + 1, FAULT_SILENCE_CS);
@@ -370,14 +381,15 @@ void brake_finish(void)
                 : \old(fault_state) == FAULT_GOOD && fault_state == FAULT_ON && good_readings == 0; */
 void brake_tick(bool override_held)
 {
+    brake.overridden = false;
     if (!override_held) {
         override_cs = 0;
-    } else if (override_cs < BRAKE_OVERRIDE_CS) {
+    } else if ((uint8_t)(override_cs >> 8) < BRAKE_OVERRIDE_END_CS / 256U) {
         override_cs++;
-    }
-    brake.overridden = override_cs >= BRAKE_OVERRIDE_CS;
-    if (brake.overridden) {
-        latch_override();
+        if (override_cs >= BRAKE_OVERRIDE_CS) {
+            brake.overridden = true;
+            latch_override();
+        }
     }
 #if FAULT_PCT > 0
     fault_tick();

@@ -13,7 +13,7 @@
  *   in FAULT, any                             held, or the law's where that is more
  *   the first in FAULT                        at least FAULT_PCT; 0 where that is 0
  *
- *   override held for a second                0 %
+ *   override held for 1 s, less than 30 s     0 %
  *   else STOP                                 100 % and the STOP pin
  *   else                                      the demand */
 #ifndef FUZZY51_BRAKE_H
@@ -46,8 +46,10 @@
 #define FAULT_PCT 60
 #endif
 
-/* The driver has the brake once the override was held that long. */
-#define BRAKE_OVERRIDE_CS 100U
+/* The driver has the brake once the override was held so long, until it was held to the end. From
+ * then on it may be stuck, and does nothing until it is released. */
+#define BRAKE_OVERRIDE_CS     100U
+#define BRAKE_OVERRIDE_END_CS 3072U /* a multiple of 256 */
 
 /* RELEASED: no target within the law's reach. CONTROL: what the law says. STOP: latch.h. FAULT:
  * fault.h. */
@@ -72,11 +74,14 @@ extern struct brake_output brake;
                             fault >= BRAKE_FAULT_TABLE ? FAULT_LASTING : FAULT_ON); */
 void brake_init(uint8_t fault);
 
-/* Goes to FAULT for one of the lasting faults, unless one is there. */
-/*@ requires BRAKE_FAULT_TABLE <= fault <= BRAKE_FAULT_IDLE;
+/* Goes to FAULT for one of the lasting faults, unless one is there. BRAKE_FAULT_PWM is STOP, too,
+ * as the STOP pin still brakes; not where FAULT_PCT is 0. */
+/*@ requires fault_lasts(fault);
     ensures fault_state == FAULT_LASTING;
     ensures brake.state == BRAKE_FAULT;
-    ensures !brake.overridden ==> brake.brake_pct >= FAULT_PCT; */
+    ensures !brake.overridden ==> brake.brake_pct >= FAULT_PCT;
+    ensures t11_pwm: fault == BRAKE_FAULT_PWM && FAULT_PCT > 0 && !brake.overridden ==>
+                brake.stop && brake.brake_pct == 100; */
 void brake_fail(uint8_t fault);
 
 /* A check sum of what the decision keeps in RAM from one call of these functions to the next. A bit

@@ -17,8 +17,8 @@
 #include "cc51.h"
 #include "range.h"
 
-/* In the order of docs/brake.md. From BRAKE_FAULT_TABLE to BRAKE_FAULT_IDLE they last until the
- * next start. */
+/* In the order of docs/brake.md. BRAKE_FAULT_TABLE to BRAKE_FAULT_IDLE and BRAKE_FAULT_PWM last
+ * until the next start. */
 enum brake_fault {
     BRAKE_FAULT_NONE,
     BRAKE_FAULT_NOT_RISEN,  /* no echo pulse at all */
@@ -28,17 +28,21 @@ enum brake_fault {
     BRAKE_FAULT_STUCK,      /* the same reading while the target moves */
     BRAKE_FAULT_LOST,       /* a near target vanished */
     BRAKE_FAULT_WATCHDOG,   /* this start was a watchdog reset */
-    BRAKE_FAULT_TABLE,      /* self-test: check sum of the table, or of all code */
+    BRAKE_FAULT_TABLE,      /* self-test: check sum of all code, with the table */
     BRAKE_FAULT_RAM,        /* self-test: pattern in RAM */
     BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
     BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */
     BRAKE_FAULT_STATE,      /* what the decision keeps in RAM changed by itself; does not last */
+    BRAKE_FAULT_PWM,        /* the PWM pin is not as it was set */
 };
 
 /* So long without a believed reading, and how many such readings in a row end FAULT: three, or as
  * many as come in 180 ms. */
 #define FAULT_SILENCE_CS    RANGE_SILENCE_CS
 #define FAULT_GOOD_READINGS RANGE_READINGS_MIN(3U, 18U)
+
+/*@ predicate fault_lasts(integer code) =
+        BRAKE_FAULT_TABLE <= code <= BRAKE_FAULT_IDLE || code == BRAKE_FAULT_PWM; */
 
 enum fault_state { FAULT_GOOD, FAULT_ON, FAULT_LASTING };
 extern uint8_t fault_state;
@@ -68,7 +72,7 @@ void fault_take(uint8_t trouble);
 bool fault_tick(void);
 
 /* One of the lasting faults was found. True: it is the first of them. */
-/*@ requires BRAKE_FAULT_TABLE <= code <= BRAKE_FAULT_IDLE;
+/*@ requires fault_lasts(code);
     assigns fault_state, fault_code;
     ensures fault_state == FAULT_LASTING;
     ensures \result <==> \old(fault_state) != FAULT_LASTING; */

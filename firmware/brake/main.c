@@ -7,7 +7,6 @@
 #include "lamp.h"
 #include "law.h"
 #include "range.h"
-#include "selftest.h"
 #include "telemetry.h"
 
 #define IDLE_MS 100U /* an echo cut off by a reset is over by then */
@@ -25,19 +24,34 @@ static __idata uint16_t seconds, milliseconds;
 
 /* One bit that turns over does not start the self-test again, in which the brake does not act. */
 enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
-static uint8_t phase;      /* enum phase; any other value is PHASE_RUN */
-static uint8_t table_test; /* enum selftest */
-static uint8_t idle_wait;  /* ticks */
+static uint8_t phase;             /* enum phase; any other value is PHASE_RUN */
+static uint8_t code_test;         /* enum hal_code */
+static __idata uint8_t idle_wait; /* ticks */
 
 static uint8_t triggered; /* tick of the last trigger, or of the last reading without one */
-static bool is_measuring;
+static __bit is_measuring;
+
+/* Each job of a round leaves its mark, in this order. A mark that is missing, out of order or left
+ * twice tells of a program that ran wild. */
+#define MARKED(flow, mark) ((uint8_t)(((flow) << 1 | (flow) >> 7) ^ (mark)))
+#define MARK_CHECK         0x1DU
+#define MARK_CODE          0x3AU
+#define MARK_TALK          0x74U
+#define MARK_LISTEN        0xE8U
+#define MARK_CLOCK         0xCDU
+#define MARK_DECIDE        0x87U
+#define MARK_SHOW          0x13U
+#define FLOW_TESTED        MARKED(MARK_CHECK, MARK_CODE)
+#define FLOW_ROUND         MARKED(MARKED(FLOW_TESTED, MARK_TALK), MARK_LISTEN)
+#define FLOW_TICK          MARKED(MARKED(MARKED(FLOW_ROUND, MARK_CLOCK), MARK_DECIDE), MARK_SHOW)
+static uint8_t flow; /* marks in this round */
 
 static uint8_t sealed; /* sum_up's, when the decision or its clock last changed */
 
 static __idata uint16_t seq;     /* control steps */
 static __idata uint16_t dropped; /* lines of them */
 static __idata uint8_t stack_unused;
-static bool is_talking;
+static __bit is_talking;
 static char command; /* waits for the line under way to end; 0: none */
 #define SAY_HEADER '\1'
 
@@ -45,7 +59,6 @@ static const char __code HEADER[] = "seq,ms,dist_mm,closing_mmps,row,col,brake_p
 static const char __code LINE[] = "%u,%o%m,%o,%s%u,%u,%u,%u,%s,%u\r\n";
 static const char __code STATUS[] = "# state=%s fault=%u dropped=%u stack_unused=%u\r\n";
 static const char __code HELP[] = "# ? help, v version, s status, t telemetry on/off\r\n";
-static const char __code UNKNOWN[] = "# unknown command; ? for help\r\n";
 static const char __code ON[] = "# telemetry on\r\n";
 static const char __code OFF[] = "# telemetry off\r\n";
 static const char __code *const __code STATES[] = {"RELEASED", "CONTROL", "STOP", "FAULT"};
@@ -53,7 +66,7 @@ static const char __code *const __code STATES[] = {"RELEASED", "CONTROL", "STOP"
 /* Holds from the start on; pin_ is what tests/prove/pins.h sees at the pins. */
 /*@ predicate main_is_valid =
         brake_is_valid && brake_is_settled && !is_within &&
-        table_test <= SELFTEST_FAILED &&
+        code_test <= HAL_CODE_BAD &&
         (phase == PHASE_TEST ==> !is_measuring && pin_stop && pin_brake_pct == 100); */
 
 /*@ requires brake.brake_pct <= 100;
@@ -103,7 +116,7 @@ static void report(void)
 /* From the end of the echo, or of the wait for it, to the pins. */
 /*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_RANGE_DONE;
     ensures brake_is_valid && brake_is_settled && !is_measuring;
-    ensures phase == \old(phase) && table_test == \old(table_test);
+    ensures phase == \old(phase) && code_test == \old(code_test);
     ensures pin_stop == brake.stop && pin_brake_pct == brake.brake_pct; */
 static void control_step(uint8_t echo)
 {
@@ -142,8 +155,8 @@ static void seal(void)
 
 /* A bit of what was sealed has turned over, or of the clock. */
 /*@ requires phase != PHASE_TEST;
-    requires table_test <= SELFTEST_FAILED;
-    ensures t10_anew: main_is_valid && phase == \old(phase) && table_test == \old(table_test) &&
+    requires code_test <= HAL_CODE_BAD;
+    ensures t10_anew: main_is_valid && phase == \old(phase) && code_test == \old(code_test) &&
                 fault_state != FAULT_GOOD && pin_brake_pct >= FAULT_PCT; */
 static void begin_anew(void)
 {
@@ -162,6 +175,7 @@ static void check(void)
     if (sum_up() != sealed || (uint8_t)(hal_ticks() - tick) > TICKS_LATE) {
         begin_anew();
     }
+    flow = MARKED(flow, MARK_CHECK);
 }
 
 /* A measurement is over: the brake first, all else after it. */
@@ -212,7 +226,7 @@ static void measure(void)
 #endif
 }
 
-/*@ requires fault <= BRAKE_FAULT_IDLE && table_test <= SELFTEST_FAILED;
+/*@ requires fault <= BRAKE_FAULT_IDLE && code_test <= HAL_CODE_BAD;
     ensures main_is_valid && phase == PHASE_RUN;
     ensures t9_fails: fault >= BRAKE_FAULT_TABLE ==>
                 fault_state == FAULT_LASTING && pin_brake_pct >= FAULT_PCT; */
@@ -229,18 +243,18 @@ static void finish_selftest(uint8_t fault)
 /*@ requires main_is_valid && phase == PHASE_TEST;
     ensures main_is_valid;
     ensures t9_passed: phase != PHASE_TEST && fault_state == FAULT_GOOD ==>
-                \old(table_test) == SELFTEST_PASSED; */
+                \old(code_test) == HAL_CODE_GOOD; */
 static void test(void)
 {
     uint8_t fault = BRAKE_FAULT_NONE;
 
-    if (table_test == SELFTEST_RUNNING) {
-        table_test = selftest_table();
+    if (code_test == HAL_CODE_RUNNING) {
+        code_test = hal_code_test();
         return;
     }
     if (!hal_ram_is_good()) {
         fault = BRAKE_FAULT_RAM;
-    } else if (table_test == SELFTEST_FAILED) {
+    } else if (code_test == HAL_CODE_BAD) {
         fault = BRAKE_FAULT_TABLE;
     } else if (hal_range_is_busy()) {
         if (idle_wait != 0) { /* the last echo before the reset may still be under way */
@@ -253,7 +267,7 @@ static void test(void)
     finish_selftest(fault);
 }
 
-/*@ assigns \nothing; */
+/*@ assigns flow; */
 static void show(void)
 {
     uint8_t pattern = LAMP_OFF;
@@ -267,9 +281,10 @@ static void show(void)
     }
     hal_lamp_set(lamp_tick(pattern));
     hal_buzzer_set(brake.warn);
+    flow = MARKED(flow, MARK_SHOW);
 }
 
-/*@ assigns seconds, milliseconds; */
+/*@ assigns seconds, milliseconds, flow; */
 static void advance_clock(void)
 {
     milliseconds += HAL_TICK_MS;
@@ -277,12 +292,14 @@ static void advance_clock(void)
         milliseconds = 0;
         seconds++;
     }
+    flow = MARKED(flow, MARK_CLOCK);
 }
 
 /* The next command stays in the UART until the one before it is answered. */
-/*@ assigns command; */
+/*@ assigns command, flow; */
 static void listen(void)
 {
+    flow = MARKED(flow, MARK_LISTEN);
     if (command == 0) {
         char c = hal_uart_get();
 
@@ -303,7 +320,7 @@ static void status(void)
     telemetry_say(STATUS);
 }
 
-/* Unknown input is answered, never obeyed. */
+/* Unknown input is answered with the help, never obeyed. */
 /*@ requires brake.state <= BRAKE_FAULT;
     assigns command, is_talking, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void answer(void)
@@ -326,20 +343,18 @@ static void answer(void)
         is_talking = !is_talking;
         telemetry_say(is_talking ? ON : OFF);
         break;
-    case '?':
+    default: /* ? too */
         telemetry_say(HELP);
-        break;
-    default:
-        telemetry_say(UNKNOWN);
     }
 }
 
 /*@ requires brake.state <= BRAKE_FAULT;
-    assigns command, is_talking, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
+    assigns command, is_talking, flow, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void talk(void)
 {
     char c;
 
+    flow = MARKED(flow, MARK_TALK);
     if (!hal_uart_ready()) {
         return;
     }
@@ -351,7 +366,7 @@ static void talk(void)
     }
 }
 
-/*@ requires pin_stop && pin_brake_pct == 100 && table_test <= SELFTEST_FAILED; */
+/*@ requires pin_stop && pin_brake_pct == 100 && code_test <= HAL_CODE_BAD; */
 void main(void)
 {
     /* Must be first: the pins are safe, the clock runs. Each start clears RAM. */
@@ -374,8 +389,10 @@ void main(void)
         /* Every round, less than a millisecond. */
         hal_begin_round();
         hal_registers_restore();
+        flow = 0;
         if (phase == PHASE_TEST) {
             test();
+            flow = FLOW_TESTED;
         } else {
             check();
             poll();
@@ -385,15 +402,19 @@ void main(void)
                 seal();
             }
 #endif
-            if (!hal_code_is_good()) {
+            if (hal_code_test() == HAL_CODE_BAD) {
                 brake_fail(BRAKE_FAULT_TABLE);
                 seal();
             }
+            flow = MARKED(flow, MARK_CODE);
         }
         poll();
         talk();
         listen();
         poll();
+        if (flow != FLOW_ROUND) {
+            hal_restart();
+        }
         if (hal_ticks() == tick) {
             continue;
         }
@@ -402,13 +423,20 @@ void main(void)
         tick++;
         advance_clock();
         if (phase == PHASE_TEST) {
-            idle_wait -= table_test != SELFTEST_RUNNING && idle_wait != 0;
+            flow = FLOW_TICK;
+            if (code_test != HAL_CODE_RUNNING && idle_wait != 0) {
+                idle_wait--;
+            }
         } else {
             brake_tick(hal_override_held());
             if (!hal_stack_is_good()) {
                 brake_fail(BRAKE_FAULT_STACK);
             }
+            if (!hal_pwm_follows()) {
+                brake_fail(BRAKE_FAULT_PWM);
+            }
             apply();
+            flow = MARKED(flow, MARK_DECIDE);
             poll();
             show();
             poll();
@@ -421,6 +449,9 @@ void main(void)
             poll();
         }
 
+        if (flow != FLOW_TICK) {
+            hal_restart();
+        }
         /* Nothing above took so long that a tick went by unseen. */
         if (hal_ticks() == tick) {
             hal_watchdog_feed();

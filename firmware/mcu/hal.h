@@ -37,6 +37,9 @@ bool hal_range_is_late(void);
  * period on that begins at least 0.3 ms after the call. */
 void hal_brake_set(uint8_t brake_pct); /* up to 80 mc */
 void hal_stop_set(bool on);            /* the STOP pin */
+/* Whether the PWM pin is as hal_brake_set wants it. Ask it every tick: false once the pin was low
+ * in three periods in a row that should begin high, or the other way round. 20 mc. */
+bool hal_pwm_follows(void);
 void hal_lamp_set(bool on);
 void hal_buzzer_set(bool on);
 
@@ -72,9 +75,10 @@ uint8_t hal_reset_cause(void); /* enum hal_reset */
 /* Self-test. */
 bool hal_ram_is_good(void);     /* whether each byte of RAM kept its test patterns at start */
 uint8_t hal_stack_unused(void); /* bytes of stack that were never used; 0: overflow; 2,000 mc */
-/* Sums up 8 more bytes of the code. False at the end of a pass over all code that gives another
- * sum than the first one. Each round of the main loop. 153 mc. */
-bool hal_code_is_good(void);
+/* Sums up 8 more bytes of the code. GOOD or BAD at the end of a pass over all code, RUNNING before.
+ * Each round of the main loop. 133 mc. */
+enum hal_code { HAL_CODE_RUNNING, HAL_CODE_GOOD, HAL_CODE_BAD };
+uint8_t hal_code_test(void);  /* enum hal_code */
 bool hal_stack_is_good(void); /* whether the last byte of the stack was never used */
 
 /* SDCC writes an interrupt's vector only if the file with main sees the interrupt's prototype. */

@@ -32,6 +32,10 @@ static volatile __bit first_level, second_level;
 static volatile uint16_t new_first_reload;
 static volatile __bit new_first_level, new_second_level, new_is_set;
 
+/* The pin at the end of a phase, and whether that was wrong at the end of the last first phase. */
+static volatile __bit pin_was, is_wrong;
+#define WRONG_PERIODS 3U /* in a row: a bit that flips is right again sooner */
+
 /* Not static: of a static inline function SDCC keeps a copy that nobody calls. */
 
 /* The next first phase will be the new one. */
@@ -51,10 +55,12 @@ inline void prepare_first(void)
 
 void pwm_interrupt(void) __interrupt(3) __using(1)
 {
+    pin_was = pin_pwm;
     pin_pwm = level; /* first, so that both edges are late by the same time */
     PHASE_ADVANCE("1", "_reload", "(_reload + 1)");
     if (is_second) {
         is_second = 0;
+        is_wrong = pin_was ^ first_level;
         if (new_is_set) {
             take_new();
         }
@@ -112,6 +118,18 @@ void hal_brake_set(uint8_t brake_pct)
         take_new();
         prepare_first();
     }
+}
+
+bool hal_pwm_follows(void)
+{
+    static __idata uint8_t wrong_periods;
+
+    if (!is_wrong) {
+        wrong_periods = 0;
+        return true;
+    }
+    wrong_periods++;
+    return wrong_periods < WRONG_PERIODS;
 }
 
 uint8_t hal_ticks(void)

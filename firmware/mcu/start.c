@@ -12,10 +12,10 @@
 #define RAM_TOP     0xFF
 
 #if defined(WATCHDOG_none)
-/* A plain 8052 has no POF; there it reads 0. But RAM keeps its content through a reset. So the paint
- * at the end of the stack tells a restart from power-on, and one byte of two is enough: a program
- * that ran wild may have spoilt the other. SDCC's start-up clears all RAM, but only after it has
- * called _sdcc_external_startup. */
+/* A plain 8052 has no POF; there it reads 0. But RAM keeps its content through a reset. So the
+ * paint at the end of the stack tells a restart from power-on, and one byte of two is enough: a
+ * program that ran wild may have spoilt the other. SDCC's start-up clears all RAM, but only after
+ * it has called _sdcc_external_startup. */
 #define IS_PAINTED(address) (*(volatile uint8_t __idata *)(address) == STACK_PAINT)
 #define IS_POWER_ON()                                                                              \
     ((PCON & POWER_OFF) != 0 || !(IS_PAINTED(RAM_TOP) || IS_PAINTED(RAM_TOP - 1U)))

@@ -12,6 +12,7 @@ $(OUT)/bench/$(1).ihx: $(patsubst %,$(OUT)/$(1)/%.rel, \
         tests/bench/step)
 	@mkdir -p $$(@D)
 	$$(Q)$(SDCC) $(SDCC_LINK) --code-size 65536 $$^ -o $$@
+	$$(Q)tools/identify.sh $$@ $(IDENTITY_AT)
 endef
 $(foreach image,$(ALL_IMAGES),$(eval $(call bench_rules,$(image))))
 endif

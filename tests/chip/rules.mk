@@ -6,6 +6,7 @@ $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(f
 	@mkdir -p $(@D)
 	$(Q)tools/check_asm.sh $(^:.rel=.asm)
 	$(Q)$(SDCC) $(SDCC_LINK) $^ -o $@
+	$(Q)tools/identify.sh $@ $(IDENTITY_AT)
 endif
 
 # Our own simulator for these images: fast_pins drives pins at exact times, fast_image runs an image that

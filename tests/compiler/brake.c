@@ -180,7 +180,9 @@ static void draw_event(void)
                             : (uint8_t)(BRAKE_FAULT_WATCHDOG +
                                         chance(BRAKE_FAULT_IDLE - BRAKE_FAULT_WATCHDOG + 1)));
     } else if (event == FAIL) {
-        give((uint8_t)(BRAKE_FAULT_TABLE + chance(BRAKE_FAULT_IDLE - BRAKE_FAULT_TABLE + 1)));
+        give(chance(4) == 0
+                 ? BRAKE_FAULT_PWM
+                 : (uint8_t)(BRAKE_FAULT_TABLE + chance(BRAKE_FAULT_IDLE - BRAKE_FAULT_TABLE + 1)));
     }
 }
 

@@ -26,9 +26,3 @@
 #endif
 #include "brake.c"
 #include "brake/main.c"
-
-/* The real one is in eva_tables.c. */
-uint8_t selftest_table(void)
-{
-    return (uint8_t)Frama_C_unsigned_char_interval(SELFTEST_RUNNING, SELFTEST_FAILED);
-}

@@ -57,6 +57,10 @@ void hal_stop_set(bool on)
 {
     pin_stop = on;
 }
+bool hal_pwm_follows(void)
+{
+    return any_bool();
+}
 void hal_lamp_set(bool on)
 {
 }
@@ -104,9 +108,9 @@ uint8_t hal_stack_unused(void)
 {
     return any_byte();
 }
-bool hal_code_is_good(void)
+uint8_t hal_code_test(void)
 {
-    return any_bool();
+    return (uint8_t)Frama_C_unsigned_char_interval(HAL_CODE_RUNNING, HAL_CODE_BAD);
 }
 bool hal_stack_is_good(void)
 {

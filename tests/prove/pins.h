@@ -31,6 +31,8 @@ void hal_brake_set(uint8_t brake_pct);
     ensures pin_stop == on; */
 void hal_stop_set(bool on);
 /*@ assigns \nothing; */
+bool hal_pwm_follows(void);
+/*@ assigns \nothing; */
 void hal_lamp_set(bool on);
 /*@ assigns \nothing; */
 void hal_buzzer_set(bool on);
@@ -58,8 +60,9 @@ uint8_t hal_reset_cause(void);
 bool hal_ram_is_good(void);
 /*@ assigns \nothing; */
 uint8_t hal_stack_unused(void);
-/*@ assigns \nothing; */
-bool hal_code_is_good(void);
+/*@ assigns \nothing;
+    ensures \result <= HAL_CODE_BAD; */
+uint8_t hal_code_test(void);
 /*@ assigns \nothing; */
 bool hal_stack_is_good(void);
 

@@ -19,7 +19,8 @@
  * theorem t7_opening: a gap that opens ends every STOP, at the second reading at the latest
  * theorem t7_passed: another target, tracked beyond LATCH_NEAR_MM for 1 s, ends every STOP
  * theorem t10_anew: whatever its RAM held, begun anew it is in FAULT, with FAULT_PCT to 100 %
- * theorem t8_override: the override acts from the 100th tick held in a row, and not one tick longer than held
+ * theorem t8_override: the override acts from the 100th tick held in a row to the 3072nd, and not one tick longer than held
+ * theorem t11_pwm: a PWM pin that is not as it was set gives STOP and 100 %, unless the driver overrides
  */
 #include "bits.h"
 #include "range.c"
@@ -41,7 +42,7 @@ static uint16_t clear_run;      /* clear readings in a row that the latch saw */
         brake_is_valid && brake_is_settled && !is_within &&
         silence_cs == \min(silent_ticks, FAULT_SILENCE_CS) &&
         (silent_ticks > FAULT_SILENCE_CS ==> fault_state != FAULT_GOOD) &&
-        override_cs == \min(held_ticks, BRAKE_OVERRIDE_CS) &&
+        override_cs == \min(held_ticks, BRAKE_OVERRIDE_END_CS) &&
         (fault_state == FAULT_ON ==> good_readings == believed_fault) &&
         believed_fault <= believed_run &&
         clear_readings == \min(clear_run, LATCH_ROAD_READINGS); */
@@ -82,11 +83,13 @@ void anew(void)
     clear_run = 0;
 }
 
-/*@ requires counted && BRAKE_FAULT_TABLE <= fault <= BRAKE_FAULT_IDLE;
+/*@ requires counted && fault_lasts(fault);
     ensures counted;
     ensures t2_holds: FAULT_PCT > 0 ==> brake.brake_pct >= \old(brake.brake_pct);
-    ensures t4_only: brake.stop == \old(brake.stop);
-    ensures t6_lasting: fault_state == FAULT_LASTING; */
+    ensures t4_only: \old(brake.stop) && !brake.stop ==> brake.overridden;
+    ensures t6_lasting: fault_state == FAULT_LASTING;
+    ensures t11_pwm: fault == BRAKE_FAULT_PWM && !brake.overridden ==>
+                brake.stop && brake.brake_pct == 100; */
 void fail(uint8_t fault)
 {
     brake_fail(fault);
@@ -156,7 +159,8 @@ void read(uint8_t kind, uint16_t dist_mm)
     ensures t5_duty: brake.brake_pct <= 100;
     ensures t6_leaves: fault_state == \old(fault_state) || fault_state == FAULT_ON;
     ensures t6_lasting: \old(fault_state) == FAULT_LASTING ==> fault_state == FAULT_LASTING;
-    ensures t8_override: brake.overridden <==> held_ticks >= BRAKE_OVERRIDE_CS; */
+    ensures t8_override: brake.overridden <==>
+                BRAKE_OVERRIDE_CS <= held_ticks <= BRAKE_OVERRIDE_END_CS; */
 void tick(bool override_held)
 {
     uint8_t state = fault_state;

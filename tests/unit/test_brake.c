@@ -339,6 +339,32 @@ static void test_override_works_only_while_held(void)
     TEST_ASSERT_TRUE(brake.stop);
 }
 
+static void test_an_override_held_for_30_s_is_stuck_until_it_is_released(void)
+{
+    uint16_t cs;
+
+    stop_at_900();
+    for (cs = 1; cs <= BRAKE_OVERRIDE_END_CS; cs++) {
+        brake_tick(true);
+        TEST_ASSERT_EQUAL(cs >= BRAKE_OVERRIDE_CS, brake.overridden);
+    }
+    for (cs = 0; cs < 300; cs++) { /* an 8-bit count would come round */
+        brake_tick(true);
+        TEST_ASSERT_FALSE(brake.overridden);
+    }
+    step_held = true;
+    echo(900);
+    TEST_ASSERT_TRUE(brake.stop);
+
+    brake_tick(false);
+    for (cs = 1; cs <= BRAKE_OVERRIDE_CS; cs++) {
+        TEST_ASSERT_TRUE(brake.stop);
+        brake_tick(true);
+    }
+    TEST_ASSERT_TRUE(brake.overridden);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
 static void test_a_short_press_changes_nothing(void)
 {
     uint8_t i;
@@ -826,6 +852,24 @@ static void test_a_fault_found_on_the_way_lasts(void)
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STACK, fault_code);
 }
 
+static void test_a_pwm_pin_that_does_not_follow_is_stop(void)
+{
+    echoes(3000, 4);
+    brake_fail(BRAKE_FAULT_STACK);
+    TEST_ASSERT_FALSE(brake.stop);
+    brake_fail(BRAKE_FAULT_PWM); /* it is not the first fault, and yet acts */
+    TEST_ASSERT_TRUE(brake.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STACK, fault_code);
+    echoes(3000, 4);
+    TEST_ASSERT_TRUE(brake.stop);
+
+    start();
+    brake_fail(BRAKE_FAULT_PWM);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_PWM, fault_code);
+}
+
 /* --- warning ---------------------------------------------------------------------------------- */
 
 static void test_warning_comes_800_ms_before_hard_braking_or_with_the_second_reading(void)
@@ -1229,6 +1273,7 @@ int main(void)
     RUN_TEST(test_two_opening_readings_must_follow_each_other);
     RUN_TEST(test_override_held_a_second_lets_go_and_no_sooner);
     RUN_TEST(test_override_works_only_while_held);
+    RUN_TEST(test_an_override_held_for_30_s_is_stuck_until_it_is_released);
     RUN_TEST(test_a_short_press_changes_nothing);
     RUN_TEST(test_glitch_on_a_clear_road_stops_for_two_periods);
     RUN_TEST(test_glitch_below_a_tracked_target_stops_for_one_period);
@@ -1261,6 +1306,7 @@ int main(void)
     RUN_TEST(test_a_watchdog_reset_starts_braking_and_ends_with_three_good_readings);
     RUN_TEST(test_a_failed_self_test_lasts_but_still_stops);
     RUN_TEST(test_a_fault_found_on_the_way_lasts);
+    RUN_TEST(test_a_pwm_pin_that_does_not_follow_is_stop);
     RUN_TEST(test_warning_comes_800_ms_before_hard_braking_or_with_the_second_reading);
     RUN_TEST(test_no_warning_while_nothing_closes);
     RUN_TEST(test_warning_ends_half_a_second_after_its_reason);

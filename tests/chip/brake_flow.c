@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* The brake controller, but while the override is pressed a job of the tick runs twice: for the
+ * test of the marks that the jobs leave. */
+#include "hal.h"
+
+static bool follow_and_stray(void);
+
+#define hal_pwm_follows follow_and_stray
+#include "../../firmware/brake/main.c"
+
+static bool follow_and_stray(void)
+{
+    if (hal_override_held()) {
+        show();
+    }
+    return true;
+}
