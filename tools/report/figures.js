@@ -125,6 +125,16 @@ function startMap(tab, settings, images, rows) {
     return cellMap(400, 360, xs, ys, drawn, settings.xLabel, settings.yLabel);
 }
 
+/* A map of the chip: of each byte the worst outcome of a flip of its bits, as tests/flips/flips.sh numbers them.
+ * A line of the map is 16 bytes; registers stand 16 lines behind RAM. */
+function flipMap(tab, settings, images, rows) {
+    const digit = (value) => value.toString(16).toUpperCase(), outcomes = [["", 0], ["c", 1], ["s", 1], ["F", 2], ["W", 3], ["U", 4]];
+    const lines = sorted(rows.y).reverse(), columns = sorted(rows.x);
+    const cells = rows.value.map((value, k) => ({ column: columns.indexOf(rows.x[k]) + 1, row: lines.indexOf(rows.y[k]) + 1,
+        level: outcomes[value][1], text: outcomes[value][0] }));
+    return cellMap(520, 560, columns.map(digit), lines.map((line) => (line < 16 ? `${digit(line)}0` : `SFR ${digit(line - 16)}0`)), cells, settings.xLabel, settings.yLabel);
+}
+
 /* A table of rules: what it commands over two inputs; a cell names each answer that it gives over the
  * third. The value is -1 to 1, `also` is 1 where it asks for the next lane. */
 function ruleMap(tab, settings, images, rows) {
@@ -239,4 +249,4 @@ function tableSurface(tab, settings, images, rows) {
 }
 
 /* By the name that a tab's description gives. */
-const figures = { map: avoidanceMap, starts: startMap, rules: ruleMap, diagram: answerDiagram, limit: impactOverSpeed, surface: tableSurface };
+const figures = { map: avoidanceMap, starts: startMap, rules: ruleMap, diagram: answerDiagram, limit: impactOverSpeed, flips: flipMap, surface: tableSurface };
