@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unity.h>
 
-enum { BYTES = 8, KIND = 1, FRAMES = 20000 };
+enum { BYTES = 8, KIND = 4, FRAMES = 20000 };
 
 static const int64_t ms = 1000000;
 static const uint8_t payload[BYTES] = {1, 22, 43, 64, 85, 106, 127, 133};
@@ -119,7 +119,8 @@ static void test_that_a_pulse_of_10_us_is_heard(void)
     TEST_ASSERT_FALSE(head_trigger(&head, 90 * ms, true));
     TEST_ASSERT_TRUE(head_trigger(&head, 91 * ms, false));
     head_trigger(&head, 92 * ms, true);
-    head_start(&head); /* times begin anew */
+    TEST_ASSERT_FALSE(head_trigger(&head, 93 * ms, true)); /* still high */
+    head_start(&head);                                     /* times begin anew */
     TEST_ASSERT_FALSE(head_trigger(&head, 1 * ms, false));
 }
 
@@ -163,6 +164,32 @@ static void test_that_count_and_number_go_round(void)
         head_measured(&head, i * ms, payload);
         TEST_ASSERT_EQUAL(size, head_take(&head, i * ms, line));
         TEST_ASSERT_EQUAL_MEMORY(good, line, size);
+    }
+}
+
+static void test_that_each_seven_bytes_have_one_with_their_highest_bits(void)
+{
+    uint8_t bytes[HEAD_PAYLOAD_MAX] = {0};
+
+    for (int count = 1; count <= HEAD_PAYLOAD_MAX; count++) {
+        int body = count + 3; /* number and check sum */
+
+        TEST_ASSERT_EQUAL(1 + body + (body + 6) / 7, head_encode(KIND, 0, bytes, count, 1, line));
+    }
+}
+
+static void test_that_an_answer_is_so_many_frames_old(void)
+{
+    for (int age = 0; age <= HEAD_AGE_MAX; age++) {
+        settings.head.age_frames = age;
+        begin();
+        for (int i = 0; i < 20; i++) {
+            uint8_t measured[BYTES] = {(uint8_t)i};
+
+            head_measured(&head, i * ms, measured);
+            TEST_ASSERT_EQUAL(i > age ? i - age : 0, head.payload[0]);
+            head_take(&head, i * ms, line);
+        }
     }
 }
 
@@ -220,6 +247,33 @@ static void test_that_a_share_of_the_answers_is_bad(void)
         silent += answer(i * ms) == 0;
     }
     TEST_ASSERT_INT_WITHIN(150, 2500, silent);
+}
+
+static void test_that_a_schedule_begins_with_its_first_answer(void)
+{
+    settings.faults[0] = (struct frame_fault){FRAME_SILENCE, 0, -1, 1, 1, 3};
+    settings.faults[1] = (struct frame_fault){-1, 0, -1, 1, 1, 1}; /* no fault */
+    begin();
+    for (int i = 0; i < 5; i++) {
+        TEST_ASSERT_EQUAL(i < 2 ? good_size : 0, answer(i * ms));
+    }
+}
+
+static void test_that_good_answers_take_no_number_of_chance(void)
+{
+    struct random before;
+
+    begin();
+    before = head.random;
+    answer(1 * ms);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &head.random, sizeof before);
+}
+
+static void test_that_a_bad_answer_does_not_drop_out(void)
+{
+    settings.head.dropout = 1;
+    begin_with(FRAME_CORRUPT, 0);
+    TEST_ASSERT_EQUAL(good_size, answer(1 * ms));
 }
 
 /* The second fault counts its answers while the first one strikes, but does not take them. */
@@ -463,10 +517,15 @@ int main(void)
     RUN_TEST(test_that_an_answer_comes_after_the_delay);
     RUN_TEST(test_that_a_head_is_warm_after_so_many_answers);
     RUN_TEST(test_that_count_and_number_go_round);
+    RUN_TEST(test_that_each_seven_bytes_have_one_with_their_highest_bits);
+    RUN_TEST(test_that_an_answer_is_so_many_frames_old);
     RUN_TEST(test_that_the_controller_is_blind_25_ms_after_the_first_bad_answer_in_a_row);
     RUN_TEST(test_that_a_fault_has_its_time);
     RUN_TEST(test_that_no_fault_comes_before_the_start);
     RUN_TEST(test_that_a_share_of_the_answers_is_bad);
+    RUN_TEST(test_that_a_schedule_begins_with_its_first_answer);
+    RUN_TEST(test_that_good_answers_take_no_number_of_chance);
+    RUN_TEST(test_that_a_bad_answer_does_not_drop_out);
     RUN_TEST(test_that_the_first_fault_that_strikes_counts);
     RUN_TEST(test_that_one_to_three_bits_turn_over);
     RUN_TEST(test_that_the_end_is_missing_at_any_place);

@@ -49,11 +49,11 @@ static void begin(void)
     sensing_init(&sensing, &settings, look, 100, 7);
 }
 
-static struct fault *fault(int place, enum fault_kind kind, double from_s)
+static struct fault *fault(int which, enum fault_kind kind, double from_s)
 {
-    settings.faults[place].kind = kind;
-    settings.faults[place].from_s = from_s;
-    return &settings.faults[place];
+    settings.faults[which].kind = kind;
+    settings.faults[which].from_s = from_s;
+    return &settings.faults[which];
 }
 
 /* The noise of the next reading: its third number. */
@@ -116,26 +116,27 @@ static void test_that_rain_has_the_seed_with_a_word_of_its_own(void)
 
 static void test_that_garbage_goes_as_far_as_the_sensor_can_say(void)
 {
-    struct random same;
-    double garbage;
-    int64_t at_ns, rise_ns = 0;
-    bool level = false;
-    uint8_t frame[TFLUNA_FRAME];
+    for (uint64_t seed = 1; seed < 20; seed++) {
+        struct random same;
+        double garbage;
+        int64_t at_ns, rise_ns = 0;
+        bool level = false;
+        uint8_t frame[TFLUNA_FRAME];
 
-    random_seed(&same, 7);
-    garbage = random_uniform(&same);
-    fault(0, FAULT_GARBAGE, 0);
-    sonar_init(&sonar, &settings, 7);
-    TEST_ASSERT_EQUAL(SENSOR_TARGET, sonar_trigger(&sonar, 0, 10 * us, 2, 0));
-    while (sonar_next_event(&sonar, INT64_MAX, &at_ns, &level)) {
-        rise_ns = level ? at_ns : rise_ns;
+        random_seed(&same, seed);
+        garbage = random_uniform(&same);
+        fault(0, FAULT_GARBAGE, 0);
+        sonar_init(&sonar, &settings, seed);
+        TEST_ASSERT_EQUAL(SENSOR_TARGET, sonar_trigger(&sonar, 0, 10 * us, 2, 0));
+        while (sonar_next_event(&sonar, INT64_MAX, &at_ns, &level)) {
+            rise_ns = level ? at_ns : rise_ns;
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(2, garbage * 38e6, (double)(at_ns - rise_ns));
+        tfluna_init(&tfluna, &settings, seed);
+        tfluna_take(&tfluna, 2, 0, frame, &answer);
+        TEST_ASSERT_EQUAL(SENSOR_TARGET, answer);
+        TEST_ASSERT_EQUAL(lround(garbage * 900), frame[2] + 256 * frame[3]);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(2, garbage * 38e6, (double)(at_ns - rise_ns));
-    settings.sensor.kind = SENSOR_TFLUNA;
-    tfluna_init(&tfluna, &settings, 7);
-    tfluna_take(&tfluna, 2, 0, frame, &answer);
-    TEST_ASSERT_EQUAL(SENSOR_TARGET, answer);
-    TEST_ASSERT_EQUAL(lround(garbage * 900), frame[2] + 256 * frame[3]);
 }
 
 static void test_that_a_lidars_frames_begin_at_the_start_up_and_a_part_of_the_period(void)
@@ -174,22 +175,22 @@ static void test_that_each_place_of_a_fault_counts(void)
     double noise_m;
     bool level;
 
-    for (int place = 0; place < SENSOR_FAULTS; place++) {
+    for (int which = 0; which < SENSOR_FAULTS; which++) {
         setUp();
-        fault(place, FAULT_OFF, 1);
+        fault(which, FAULT_OFF, 1);
         begin();
         TEST_ASSERT_FALSE(sensing_is_silenced(&sensing, 0.999, &level));
         TEST_ASSERT_TRUE(sensing_is_silenced(&sensing, 1, &level));
         TEST_ASSERT_EQUAL_INT64(1000 * ms, sensing_boundary_ns(&sensing, 0));
-        fault(place, FAULT_STUCK, 0)->dist_m = 1.5;
+        fault(which, FAULT_STUCK, 0)->dist_m = 1.5;
         begin();
         READS(1.5, 0, 3);
-        fault(place, FAULT_GLITCH, 0)->readings = 2;
+        fault(which, FAULT_GLITCH, 0)->readings = 2;
         begin();
         READS(1.5, 0, 3);
         READS(1.5, ms, 3);
         READS(3, 2 * ms, 3);
-        fault(place, FAULT_DELAYED, 0)->delay_s = 0.5;
+        fault(which, FAULT_DELAYED, 0)->delay_s = 0.5;
         begin();
         sensing_observe(&sensing, 0, 8);
         noise_m = next_noise_m();
@@ -239,6 +240,10 @@ static void test_that_an_intermittent_fault_begins_with_its_off_time(void)
     TEST_ASSERT_EQUAL_INT64(1100 * ms, sensing_boundary_ns(&sensing, 1 * ms));
     TEST_ASSERT_EQUAL_INT64(1400 * ms, sensing_boundary_ns(&sensing, 1100 * ms));
     TEST_ASSERT_EQUAL_INT64(1800 * ms, sensing_boundary_ns(&sensing, 1400 * ms));
+    TEST_ASSERT_EQUAL_INT64(1800 * ms, sensing_boundary_ns(&sensing, 1799 * ms));
+    settings.faults[0].for_s = 0.5;
+    begin();
+    TEST_ASSERT_EQUAL_INT64(1600 * ms, sensing_boundary_ns(&sensing, 1400 * ms));
     fault(0, FAULT_STUCK, 1)->for_s = 2; /* of that kind on_s and off_s say nothing */
     begin();
     TEST_ASSERT_EQUAL_INT64(3000 * ms, sensing_boundary_ns(&sensing, 1000 * ms));
@@ -290,19 +295,20 @@ static void test_that_a_wrong_sensor_is_neither_slow_nor_old(void)
  * from or to nothing. */
 static void test_that_an_old_reading_is_of_the_past(void)
 {
-    static const double gaps_m[] = {9, 5, 6, INFINITY, 3};
+    static const double gaps_m[] = {9, 5, 6, INFINITY, 3, 4};
 
     fault(0, FAULT_DELAYED, 0)->delay_s = 1;
     begin();
     TEST_ASSERT_EQUAL(READ_NONE, sensing_read(&sensing, 1000 * ms, 2).kind);
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         sensing_observe(&sensing, (i + 1) * 100 * ms, gaps_m[i]);
     }
     static const struct {
         int64_t t_ms;
         double gap_m;
-    } past[] = {{1050, 9}, {1100, 9},        {1125, 8},        {1200, 5}, {1250, 5.5}, {1300, 6},
-                {1350, 6}, {1400, INFINITY}, {1450, INFINITY}, {1500, 3}, {1700, 3}};
+    } past[] = {{1050, 9},   {1100, 9}, {1125, 8},        {1200, 5},        {1250, 5.5},
+                {1300, 6},   {1350, 6}, {1400, INFINITY}, {1450, INFINITY}, {1500, 3},
+                {1550, 3.5}, {1600, 4}, {1700, 4}};
 
     for (size_t i = 0; i < sizeof past / sizeof past[0]; i++) {
         double noise_m = next_noise_m();
@@ -378,7 +384,22 @@ static void test_that_a_boundary_leaves_an_echo_on_its_way_alone(void)
     TEST_ASSERT_EQUAL(SENSOR_TARGET, sonar_trigger(&sonar, 201 * ms, 10 * us, 2, 0));
 }
 
-/* Each lasts for a millisecond that does not come from 1 % of the time. */
+static void test_that_a_short_fault_holds_the_line_and_ends_the_echo(void)
+{
+    fault(0, FAULT_HIGH, 1)->for_s = 0.005;
+    fault(1, FAULT_OFF, 0.005)->for_s = 0.001;
+    sonar_init(&sonar, &settings, 7);
+    sonar_trigger(&sonar, 0, 10 * us, 1.716, 0);
+    expect_event(450 * us, true);
+    sonar_pass_boundary(&sonar, 5 * ms);
+    expect_event(5 * ms, false);
+    TEST_ASSERT_EQUAL(SENSOR_TARGET, sonar_trigger(&sonar, 8 * ms, 10 * us, 0.1, 0));
+    expect_event(8 * ms + 450 * us, true);
+    sonar_next_event(&sonar, INT64_MAX, &(int64_t){0}, &(bool){false});
+    sonar_pass_boundary(&sonar, 1000 * ms);
+    expect_event(1000 * ms, true);
+}
+
 static void test_that_a_trigger_is_heard_until_the_fault_begins(void)
 {
     fault(0, FAULT_OFF, 1);
@@ -394,7 +415,8 @@ static void test_that_a_trigger_is_heard_until_the_fault_begins(void)
 
 /* --- the lidar ---------------------------------------------------------------------------- */
 
-static uint8_t sent[3 * TFLUNA_FRAME];
+/* The frame, with other bytes before and behind it. */
+static uint8_t place[4 * TFLUNA_FRAME], *const sent = place + TFLUNA_FRAME;
 
 static void begin_lidar(void)
 {
@@ -402,7 +424,9 @@ static void begin_lidar(void)
     settings.sensor.noise_m = 0;
     tfluna_init(&tfluna, &settings, 7);
     tfluna.due_ns = 0;
-    memset(sent, 0, sizeof sent);
+    for (size_t i = 0; i < sizeof place; i++) {
+        place[i] = (uint8_t)(7 * i + 1);
+    }
 }
 
 static size_t take(double gap_m, double closing_mps)
@@ -463,32 +487,45 @@ static void test_that_near_and_fast_targets_show_the_geometry(void)
 
 static void test_that_a_lidars_fault_has_its_time_and_place(void)
 {
-    for (int place = 0; place < SENSOR_FAULTS; place++) {
+    for (int which = 0; which < SENSOR_FAULTS; which++) {
         setUp();
-        fault(place, FAULT_BLIND, 1)->for_s = 1;
+        fault(which, FAULT_BLIND, 1)->for_s = 1;
+        settings.faults[which].share = 0; /* the sun blinds each reading */
         begin_lidar();
         for (int i = 0; i < 250; i++) {
             take(2, 0);
             TEST_ASSERT_EQUAL(i >= 100 && i < 200, strength() == TFLUNA_BLINDED);
         }
-        fault(place, FAULT_RAIN, 1)->scale = 0.5;
-        settings.faults[place].share = 0;
+        fault(which, FAULT_RAIN, 1)->scale = 0.5;
+        settings.faults[which].share = 0;
         begin_lidar();
         for (int i = 0; i < 250; i++) {
             take(4, 0);
             TEST_ASSERT_EQUAL(i >= 100 && i < 200 ? 500 : 1000, strength());
         }
-        fault(place, FAULT_WRONG, 0)->scale = 2; /* of the distance, not of the strength */
+        fault(which, FAULT_WRONG, 0)->scale = 2; /* of the distance, not of the strength */
         begin_lidar();
         take(4, 0);
         TEST_ASSERT_EQUAL(1000, strength());
-        fault(place, FAULT_SLOW, 0)->period_s = 0.025;
-        settings.faults[place].for_s = 9;
+        fault(which, FAULT_SLOW, 0)->period_s = 0.025;
+        settings.faults[which].for_s = 9;
         begin_lidar();
         for (int i = 0; i < 9; i++) {
             TEST_ASSERT_EQUAL(i % 3 == 0 ? TFLUNA_FRAME : 0, take(4, 0));
         }
     }
+}
+
+static void test_that_the_sum_is_of_the_frames_own_bytes(void)
+{
+    uint8_t sum = 0;
+
+    begin_lidar();
+    take(3, 0);
+    for (int i = 0; i < TFLUNA_FRAME - 1; i++) {
+        sum = (uint8_t)(sum + sent[i]);
+    }
+    TEST_ASSERT_EQUAL(sum, sent[TFLUNA_FRAME - 1]);
 }
 
 static void test_that_a_torn_frame_writes_no_byte_behind_it(void)
@@ -497,8 +534,8 @@ static void test_that_a_torn_frame_writes_no_byte_behind_it(void)
     begin_lidar();
     for (int i = 0; i < 200; i++) {
         take(3, 0);
-        for (size_t at = TFLUNA_FRAME; at < sizeof sent; at++) {
-            TEST_ASSERT_EQUAL(0, sent[at]);
+        for (size_t at = 2 * TFLUNA_FRAME; at < sizeof place; at++) {
+            TEST_ASSERT_EQUAL((uint8_t)(7 * at + 1), place[at]);
         }
     }
 }
@@ -521,11 +558,13 @@ int main(void)
     RUN_TEST(test_that_a_line_that_was_left_high_falls_50_us_before_the_next_echo);
     RUN_TEST(test_that_a_silent_answer_does_not_keep_the_sensor_busy);
     RUN_TEST(test_that_a_boundary_leaves_an_echo_on_its_way_alone);
+    RUN_TEST(test_that_a_short_fault_holds_the_line_and_ends_the_echo);
     RUN_TEST(test_that_a_trigger_is_heard_until_the_fault_begins);
     RUN_TEST(test_that_the_strength_has_its_limits);
     RUN_TEST(test_that_numbers_stay_within_their_16_bits);
     RUN_TEST(test_that_near_and_fast_targets_show_the_geometry);
     RUN_TEST(test_that_a_lidars_fault_has_its_time_and_place);
+    RUN_TEST(test_that_the_sum_is_of_the_frames_own_bytes);
     RUN_TEST(test_that_a_torn_frame_writes_no_byte_behind_it);
     return UNITY_END();
 }

@@ -241,7 +241,7 @@ void head_start(struct head *head)
 
 bool head_trigger(struct head *head, int64_t t_ns, bool level)
 {
-    bool is_pulse = !level && head->rise_ns != INT64_MAX && t_ns - head->rise_ns >= PULSE_NS;
+    bool is_pulse = !level && t_ns - head->rise_ns >= PULSE_NS;
 
     head->rise_ns = level ? t_ns : INT64_MAX;
     return is_pulse && head->due_ns == INT64_MAX;
