@@ -97,17 +97,55 @@ static size_t find_met(const struct flight *flight, struct mcs52 *chip,
     return meet_at(flight->meet, hash_bytes(key, &snapshot, sizeof snapshot), index);
 }
 
+/* How a drive goes. */
+struct progress {
+    struct judge judge;
+    bool fault;
+    bool same; /* as without the fault */
+};
+
+/* One more row. Returns false when the drive need not go on. */
+static bool take_row(const struct flight *flight, struct loop *loop, struct fault_case *one,
+                     struct progress *progress)
+{
+    const struct fair *fair = flight->fair;
+    struct mcs52 *chip = fast_chip(run_sim(loop));
+    int at = (int)(flight->run->duration_ns / WORLD_ROW_NS) - 1;
+    double speed_mps;
+    struct judge_row row = fair_row_of(flight->setup->scenario->world, run_world(loop), &speed_mps);
+    uint64_t judged;
+    size_t met;
+
+    if (at >= fair->row_count) {
+        return false;
+    }
+    judge_take(&progress->judge, &row, &fair->rows[at], flight->arguments->least_pct);
+    progress->fault = progress->fault || fair_is_in_fault(loop, flight->arguments->fault_at);
+    one->rows = at + 1;
+    progress->same = one->kind == MCS52_FLIP && mcs52_cycles(chip) > one->cycle &&
+                     fair_is_same_world(fair, &row, speed_mps, at) &&
+                     is_same_chip(flight, chip, one, at);
+    if (progress->same) {
+        return false;
+    }
+    judged = hash_mix(judge_key(&progress->judge),
+                      (uint64_t)fast_resets(run_sim(loop)) << 1 | progress->fault);
+    met = find_met(flight, chip, one, &row, speed_mps, judged, at);
+    if (&flight->plan->cases[met] != one) {
+        one->met = met + 1;
+    }
+    return one->met == 0;
+}
+
 /* The rest of the drive, in a process of its own. */
 static void go_on(struct flight *flight, struct loop *loop, struct fault_case *one)
 {
     struct mcs52 *chip = fast_chip(run_sim(loop));
     struct run *run = flight->run;
     const struct fair *fair = flight->fair;
-    struct judge judge = {0};
-    bool fault = false, same = false, impact;
+    struct progress progress = {.fault = false};
     int resets;
-    uint64_t judged;
-    size_t met;
+    bool impact = fair->impact;
 
     fast_outlive_resets(run_sim(loop));
     inject(chip, one);
@@ -118,40 +156,22 @@ static void go_on(struct flight *flight, struct loop *loop, struct fault_case *o
         judge_boot(loop, flight->setup->board, one);
         return;
     }
-    while (!same && run_next(loop)) {
-        int at = (int)(run->duration_ns / WORLD_ROW_NS) - 1;
-        double speed_mps;
-        struct judge_row row =
-            fair_row_of(flight->setup->scenario->world, run_world(loop), &speed_mps);
-
-        if (at >= fair->row_count) {
-            break;
-        }
-        judge_take(&judge, &row, &fair->rows[at], flight->arguments->least_pct);
-        fault = fault || fair_is_in_fault(loop, flight->arguments->fault_at);
-        one->rows = at + 1;
-        same = one->kind == MCS52_FLIP && mcs52_cycles(chip) > one->cycle &&
-               fair_is_same_world(fair, &row, speed_mps, at) && is_same_chip(flight, chip, one, at);
-        judged = hash_mix(judge_key(&judge), (uint64_t)fast_resets(run_sim(loop)) << 1 | fault);
-        met = find_met(flight, chip, one, &row, speed_mps, judged, at);
-        if (!same && &flight->plan->cases[met] != one) {
-            one->met = met + 1;
-            one->done = true;
-            return;
-        }
+    while (run_next(loop) && take_row(flight, loop, one, &progress))
+        ;
+    one->done = true;
+    if (one->met > 0) {
+        return;
     }
     resets = fast_resets(run_sim(loop));
-    impact = fair->impact;
     one->min_gap_m = fair->min_gap_m;
-    if (!same) {
+    if (!progress.same) {
         run_end(loop);
         impact = run->outcome.values[METRIC_IMPACT] > 0;
         one->min_gap_m = run->outcome.values[METRIC_MIN_GAP];
     }
-    one->verdict = judge_end(&judge, impact, fair->impact, one->min_gap_m, fair->min_gap_m, resets,
-                             fault && !fair->fault);
-    one->harm = judge.harm;
-    one->done = true;
+    one->verdict = judge_end(&progress.judge, impact, fair->impact, one->min_gap_m, fair->min_gap_m,
+                             resets, progress.fault && !fair->fault);
+    one->harm = progress.judge.harm;
 }
 
 /* --- all of them -------------------------------------------------------------------------- */
