@@ -177,6 +177,7 @@ static const char *find_operands(uint8_t op)
 }
 
 static const char *operands_of[256];
+static unsigned operand_bytes[256];
 static bool always_jumps[256]; /* goes on only where the jump leads */
 static bool writes_bit[256];
 
@@ -184,6 +185,7 @@ static void know_instructions(void)
 {
     for (int op = 0; op < 256; op++) {
         operands_of[op] = find_operands((uint8_t)op);
+        operand_bytes[op] = (unsigned)strlen(operands_of[op]);
         always_jumps[op] = (op & 15) == 1 || is_in((uint8_t)op, "02 12 22 32 73 80 ");
         writes_bit[op] = is_in((uint8_t)op, "10 92 B2 C2 D2 ");
     }
@@ -225,7 +227,8 @@ static bool names_psw(const char *operands, const uint8_t *bytes)
 static bool put_instruction(uint8_t op)
 {
     const char *operands = operands_of[op];
-    unsigned pc = mcs52_pc(chip), next = pc + 1 + (unsigned)strlen(operands), target = next;
+    unsigned count = operand_bytes[op];
+    unsigned pc = mcs52_pc(chip), next = pc + 1 + count, target = next;
     unsigned a = mcs52_sfr(chip, 0xE0), data;
     uint8_t bytes[2] = {0, 0};
 
@@ -242,11 +245,11 @@ static bool put_instruction(uint8_t op)
         target = stacked();
     } else if (op == 0x73) {
         target = dptr() + a;
-    } else if (strchr(operands, 'r') != NULL) {
-        target = next + (unsigned)(int8_t)bytes[strlen(operands) - 1];
+    } else if (count > 0 && operands[count - 1] == 'r') {
+        target = next + (unsigned)(int8_t)bytes[count - 1];
     }
     put_code(pc, op);
-    for (unsigned i = 0; i < strlen(operands); i++) {
+    for (unsigned i = 0; i < count; i++) {
         put_code(pc + 1 + i, bytes[i]);
     }
     data = op == 0x83 ? next + a : op == 0x93 ? dptr() + a : pc;
@@ -257,7 +260,7 @@ static bool put_instruction(uint8_t op)
         renew_p = names_psw(operands, bytes);
         return true;
     }
-    for (unsigned i = 0; i <= strlen(operands); i++) {
+    for (unsigned i = 0; i <= count; i++) {
         used[(pc + i) & 0xFFFF] = false;
     }
     return false;
@@ -461,8 +464,10 @@ static char line[512];
 /* The next line that starts with WORD. */
 static void await(FILE *words, const char *word)
 {
+    size_t length = strlen(word);
+
     while (fgets(line, sizeof line, words) != NULL) {
-        if (strncmp(line, word, strlen(word)) == 0) {
+        if (memcmp(line, word, length) == 0) {
             return;
         }
     }
