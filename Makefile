@@ -58,11 +58,6 @@ endif
 ifeq ($(filter $(ESTIMATOR),difference smooth),)
 $(error no estimator '$(ESTIMATOR)'; use difference or smooth)
 endif
-
-ifeq ($(filter $(SENSOR),hcsr04 tfluna),)
-$(error no sensor '$(SENSOR)'; use hcsr04 or tfluna)
-endif
-
 # A header that was removed does not stop the build: what included it is compiled again.
 %.h: ;
 

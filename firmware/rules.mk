@@ -6,9 +6,14 @@
 LIB_MODULES := $(addprefix lib/,fixed lamp lut selftest telemetry) $(addprefix mcu/,start pwm baud identity)
 CONTROLLERS := $(patsubst firmware/%/main.c,%,$(wildcard firmware/*/main.c))
 include firmware/pins.mk firmware/frames/frames.mk $(foreach name,$(CONTROLLERS),firmware/$(name)/$(name).mk)
-# With SENSOR=tfluna those that have a range sensor to choose.
-ALL_IMAGES  := $(if $(filter tfluna,$(SENSOR)),$(IMAGES_OF_brake),$(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name))))
-SENSOR_FOLDER := $(if $(filter tfluna,$(SENSOR)),/tfluna)
+ALL_SENSORS := $(sort $(patsubst BRAKE_FILES_%,%,$(filter BRAKE_FILES_%,$(.VARIABLES))))
+ifeq ($(filter $(SENSOR),$(ALL_SENSORS)),)
+$(error no sensor '$(SENSOR)'; the sensors are: $(ALL_SENSORS))
+endif
+# Another sensor than the first one: only the images that have a range sensor to choose, in a folder of its own.
+OTHER_SENSOR := $(filter-out hcsr04,$(SENSOR))
+ALL_IMAGES  := $(if $(OTHER_SENSOR),$(IMAGES_OF_brake),$(foreach name,$(CONTROLLERS),$(IMAGES_OF_$(name))))
+SENSOR_FOLDER := $(OTHER_SENSOR:%=/%)
 # The boards that hold the brake with this sensor.
 HOLDING     := $(basename $(notdir $(shell grep -lE '^SENSORS .*\<$(SENSOR)\>' firmware/boards/*.mk)))
 
@@ -41,11 +46,16 @@ endif
 OUT := build/$(BOARD)$(SENSOR_FOLDER)
 # Without those that are for a sensor which this board does not hold.
 ALL_IMAGES := $(foreach image,$(ALL_IMAGES),$(if $(filter $(or $($(image)_SENSOR),$(SENSOR)),$(SENSORS)),$(image)))
+ifneq ($(filter flash sim,$(MAKECMDGOALS)),)
+ifeq ($(filter $(APP),$(ALL_IMAGES)),)
+$(error $(BOARD) does not hold $(APP); it holds: $(ALL_IMAGES))
+endif
+endif
 
 SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIMATOR_$(ESTIMATOR) \
     -DFAULT_PCT=$(or $(FAULT_PCT),$(BOARD_FAULT_PCT)) $(foreach pin,$(PINS),-DPIN_$(pin)=$(PIN_$(pin)))
 # The identity of an image without its table (identity.h).
-identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz$(if $(filter mcu/tfluna,$($(1)_MODULES)), tfluna)
+identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz$(foreach sensor,$(filter-out hcsr04,$(ALL_SENSORS)),$(if $(filter mcu/$(sensor),$($(1)_MODULES)), $(sensor)))
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 # All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
 SDCC_VERSION := $(shell sdcc --version 2>/dev/null | head -n 1 | tr -cd '[:alnum:]. ')

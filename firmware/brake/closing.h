@@ -73,7 +73,7 @@ void closing_take_second(uint16_t dist_mm, uint8_t span_cs);
 void closing_take(uint16_t dist_mm, uint8_t span_cs);
 
 /* Takes the place of closing_take into one estimator: once each, before the next closing_expect.
- * Up to 200 mc each. */
+ * Up to 250 mc each. */
 /*@ requires closing_is_valid;
     assigns closing_difference;
     ensures closing_is_valid; */

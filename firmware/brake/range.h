@@ -74,21 +74,17 @@ extern volatile uint8_t range_came;
 extern uint8_t range_taken;
 
 /* Looks at one more of them. True: it ended a good frame, of which range_raw and range_kind tell
- * until the next call. Ask at least as often as bytes come. Up to 180 mc; 40 for the byte that ends
+ * until the next call. Ask at least as often as bytes come. Up to 190 mc; 40 for the byte that ends
  * a frame. */
 bool range_take(void);
 
 /* Drops what came so far. */
 void range_restart(void);
 
-/* The distance in the frame, cm. */
+/* The distance in the frame, mm; 64 m and more count as 65535. */
 /*@ assigns \nothing; */
 uint16_t range_raw(void);
-
-/* The distance for 0..65535 cm, mm; 64 m and more count as 65535 mm. */
-/*@ assigns \nothing;
-    ensures \result == (cm >= 6400 ? 65535 : 10 * cm); */
-uint16_t range_mm(uint16_t cm);
+#define range_mm(raw) (raw)
 
 /* What the frame says, if that is its distance. The manual calls a distance unreliable
  * when the strength is below 100, which is so when nothing is there to send light back, and when it

@@ -21,7 +21,7 @@ static uint8_t looked_at, sum;
 
 /* Whether they are a frame if the next byte is their sum, and what it says then. */
 static __bit is_frame;
-static __idata uint16_t dist_cm;
+static __idata uint16_t frame_mm;
 static __idata uint8_t strength_kind; /* RANGE_ECHO: as strong as an echo */
 
 #define BYTE(offset)    range_ring[(uint8_t)(range_taken + (offset)) & (RANGE_RING_BYTES - 1U)]
@@ -32,6 +32,19 @@ void range_restart(void)
     range_taken = range_came;
     looked_at = 0;
     sum = 0;
+}
+
+/* 64 m and more count as 65535 mm. */
+/*@ assigns \nothing;
+    ensures \result == (cm >= 6400 ? 65535 : 10 * cm); */
+static uint16_t mm_of(uint16_t cm)
+{
+    uint8_t high = (uint8_t)(cm >> 8);
+
+    if (high >= 25U) {
+        return UINT16_MAX;
+    }
+    return (uint16_t)(mul_u8((uint8_t)cm, 10U) + (uint16_t)((uint16_t)mul_u8(high, 10U) << 8));
 }
 
 static uint8_t kind_of(uint16_t strength)
@@ -70,7 +83,7 @@ bool range_take(void)
     is_frame = false;
     if (looked_at == SUMMED_BYTES && BYTE(0) == HEAD && BYTE(1U) == HEAD) {
         is_frame = true;
-        dist_cm = WORD_AT(2U);
+        frame_mm = mm_of(WORD_AT(2U));
         strength_kind = kind_of(WORD_AT(4U));
     }
     return false;
@@ -78,17 +91,7 @@ bool range_take(void)
 
 uint16_t range_raw(void)
 {
-    return dist_cm;
-}
-
-uint16_t range_mm(uint16_t cm)
-{
-    uint8_t high = (uint8_t)(cm >> 8);
-
-    if (high >= 25U) {
-        return UINT16_MAX;
-    }
-    return (uint16_t)(mul_u8((uint8_t)cm, 10U) + (uint16_t)((uint16_t)mul_u8(high, 10U) << 8));
+    return frame_mm;
 }
 
 uint8_t range_kind(uint16_t dist_mm)

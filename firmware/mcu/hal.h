@@ -25,7 +25,7 @@ uint8_t hal_ticks(void);
 enum hal_range { HAL_RANGE_NOT_RISEN, HAL_RANGE_NOT_FALLEN, HAL_RANGE_DONE };
 void hal_trigger(void);       /* 40 mc; the pulse is at least 10 us long */
 uint8_t hal_range(void);      /* enum hal_range */
-uint16_t hal_range_raw(void); /* for range_mm: the echo's machine cycles, or cm; valid after DONE */
+uint16_t hal_range_raw(void); /* for range_mm: the echo's machine cycles, or mm; valid after DONE */
 bool hal_range_is_busy(void); /* the sensor's line is not at rest; the self-test looks at it */
 
 /* Only of a sensor that measures by itself, each 10 ms: whether a reading that was due has not

@@ -22,12 +22,12 @@ void bench_stop_set(bool on);
 #undef hal_stop_set
 
 /* From the poll that sees a reading to the STOP pin, at most, with the interrupts in between: the
- * PWM's, which takes 44 (build/BOARD/APP.bound) and its call 2, and a TF-Luna's, 41 and 2. Timer 2
+ * PWM's, which takes 53 (build/BOARD/APP.bound) and its call 2, and a TF-Luna's, 41 and 2. Timer 2
  * counts, as hal_range stops timer 0. */
 #if RANGE_IS_TRIGGERED
-#define STOP_MC (300U - 46U)
+#define STOP_MC (300U - 55U)
 #else
-#define STOP_MC (300U - 46U - 43U)
+#define STOP_MC (300U - 55U - 43U)
 #endif
 static __idata uint16_t stop_mc; /* from poll on, in this step; 0: not yet */
 static __idata uint8_t slow_stops, stops;

@@ -194,12 +194,20 @@ items block docs/drive.md | cut -f2 | sed -n '/^\[scenario\]$/,$p' >"$out/shown.
 say "the scenario shown" $? "$(head -n 1 "$out/said")"
 
 # --- figures -------------------------------------------------------------------------------------------
+# is_worth NAME VALUE: a constant that others make, of the firmware with the HC-SR04
+is_worth() {
+    local header
+    header=$(grep -lE "^#define +$1 " -r firmware --include='*.h' | head -n 1)
+    [ -n "$header" ] && printf '#include "%s"\n#if (%s) != (%s)\n#error\n#endif\n' "$header" "$1" "$2" |
+        gcc -fsyntax-only -I. -Ifirmware/lib -Ifirmware/mcu -Ifirmware/brake -x c - 2>/dev/null
+}
 wrong_figures() {
     local place name value
     while IFS=$'\t' read -r place text; do
         name=${text%% = *}
         value=${text##* = }
-        grep -qE "^#define +$name +$value(U|UL|L)?( |\$)" -r firmware build/*/brake/lut_table.h --include='*.h' || echo "$place: not '$text'"
+        grep -qE "^#define +$name +$value(U|UL|L)?( |\$)" -r firmware build/*/brake/lut_table.h --include='*.h' ||
+            is_worth "$name" "$value" || echo "$place: not '$text'"
     done < <(items holds | grep -v "SPDX-License-Identifier: ")
 }
 faultless "the constants" "$(wrong_figures)"
@@ -210,6 +218,11 @@ has_row() { # PAGE START: PAGE has a table row that begins so
 knob_of() { # FILE KNOB
     sed -nE "s/^$2 *:= *//p" "$1"
 }
+# What tools/memory.sh says of an image on a board, as a row of docs/boards.md.
+size_row() { # APP BOARD
+    tools/memory.sh "$2" "build/$2" "$1" | awk -v app="$1" -v board="$2" '
+        { sub(/.* code +/, ""); code = $1; sub(/.* RAM +/, ""); printf "| `%s` | `%s` | %.1f KB | %d bytes |\n", app, board, code / 1024, $1 }'
+}
 rows_of_boards() {
     local file
     for file in firmware/boards/*.mk; do
@@ -218,6 +231,12 @@ rows_of_boards() {
     done
 }
 faultless "the boards" "$(rows_of_boards)"
+sizes=$(for file in build/*/brake_far.mem; do
+    board_far=$(basename "$(dirname "$file")")
+    has_row docs/boards.md "$(size_row brake_far "$board_far")"
+done)
+[ -z "$sizes" ]
+of_image "the sizes of brake_far" $? "$sizes"
 # 0x90 is P1.0, 0xB2 is P3.2.
 rows_of_pins() {
     sed -nE 's/^PIN_([A-Z]+) *:= *(0x[0-9A-F]+).*/\1 \2/p' firmware/pins.mk | while read -r name address; do

@@ -5,6 +5,10 @@
 . tests/lib.sh
 
 refuses "an estimator that is not there" 2 "no estimator 'nosuch'; use difference or smooth" make ESTIMATOR=nosuch
+refuses "a sensor that is not there" 2 "no sensor 'nosuch'; the sensors are: hcsr04 tfluna" make SENSOR=nosuch
+refuses "a sensor that the board does not hold" 2 "at89s52 does not hold the brake with SENSOR=tfluna; the boards that do: generic8052 stc89c516rd" make SENSOR=tfluna BOARD=at89s52
+refuses "an app that the board does not hold" 2 "at89s52 does not hold brake_far; it holds: brake tuned" make flash BOARD=at89s52 PORT=/dev/x APP=brake_far
+refuses "a step of a sensor that has its own" 2 "STEP_MS is for SENSOR=hcsr04" make BOARD=generic8052 SENSOR=tfluna STEP_MS=50 OUT="$out" "$out/first/brake/latch.rel"
 refuses "a table that is not there" 2 "no file 'nosuch.fis'; TABLE names the brake's fuzzy system" make TABLE=nosuch.fis
 refuses "a board that lacks a pin" 2 "firmware/boards/at89s52.mk: error: a board states PIN_NOSUCH := ..., as the others do" make -W tools/drive/rules.mk PINS=NOSUCH build/boards.h
 refuses "an app that is not there" 2 "no app 'nosuch'; the apps are: brake tuned" make flash BOARD=at89s52 PORT=/dev/x APP=nosuch
@@ -23,6 +27,11 @@ build/drive run --board generic8052 --hex "$out/brake.ihx" --scenario tests/loop
     --set ego.speed_mps=0 --set lead.gap_m=1.35 >/dev/null
 check "STOP_MM, STEP_MS: at 1.35 m it stands in STOP, a reading each 80 ms" \
     awk -F, '/^[0-9]+,.*,STOP,0/ { if ($2 - before == 80) steps++; before = $2 } END { exit steps < 5 }' "$out/said"
+
+# The brake's other laws behind the other sensor, in a folder of its own.
+make -s BOARD=generic8052 SENSOR=tfluna build/generic8052/tfluna/first.ihx || exit 2
+check "SENSOR=tfluna: the image says so, and drives" \
+    bash -c 'build/drive run --board generic8052 --hex build/generic8052/tfluna/first.ihx --scenario tests/loop/standing_car_3mps.scn | grep "Hz tfluna table"'
 
 # A change of a flag in a NAME.mk or of the version builds anew; one that fails leaves no image.
 image=(make -s BOARD=generic8052 OUT="$out/stale" "$out/stale/follow.hex")

@@ -67,8 +67,8 @@ static uint8_t kind_at(uint16_t cm, uint16_t light)
 {
     make(cm, light, 2272);
     TEST_ASSERT_EQUAL_UINT8(1, feed(0, FRAME_BYTES));
-    TEST_ASSERT_EQUAL_UINT16(cm, range_raw());
-    return range_kind(range_mm(range_raw()));
+    TEST_ASSERT_EQUAL_UINT16(mm_of(cm), range_raw());
+    return range_kind(range_raw());
 }
 
 void setUp(void)
@@ -85,12 +85,12 @@ static void test_a_centimetre_is_ten_millimetres(void)
     uint16_t cm;
 
     for (cm = 0; cm < 6400U; cm++) {
-        if (range_mm(cm) != cm * 10U) {
-            TEST_ASSERT_EQUAL_UINT16(cm * 10U, range_mm(cm));
+        if (mm_of(cm) != cm * 10U) {
+            TEST_ASSERT_EQUAL_UINT16(cm * 10U, mm_of(cm));
         }
     }
-    TEST_ASSERT_EQUAL_UINT16(65535U, range_mm(6400U));
-    TEST_ASSERT_EQUAL_UINT16(65535U, range_mm(65535U));
+    TEST_ASSERT_EQUAL_UINT16(65535U, mm_of(6400U));
+    TEST_ASSERT_EQUAL_UINT16(65535U, mm_of(65535U));
 }
 
 /* Of each pair of rows one side of a limit. */
@@ -168,7 +168,7 @@ static void test_it_falls_into_step_wherever_it_begins(void)
             feed(first, (uint8_t)(FRAME_BYTES - first));
             for (frames = 0; frames < 3; frames++) {
                 TEST_ASSERT_EQUAL_UINT8(1, feed(0, FRAME_BYTES));
-                TEST_ASSERT_EQUAL_UINT16(PAYLOADS[payload][0], range_raw());
+                TEST_ASSERT_EQUAL_UINT16(mm_of(PAYLOADS[payload][0]), range_raw());
             }
         }
     }
@@ -191,7 +191,7 @@ static void test_junk_before_a_frame_does_not_hide_it(void)
             i = feed(0, FRAME_BYTES);
             i += ask();
             TEST_ASSERT_EQUAL_UINT8(1, i);
-            TEST_ASSERT_EQUAL_UINT16(300, range_raw());
+            TEST_ASSERT_EQUAL_UINT16(3000, range_raw());
         }
     }
 }
@@ -210,7 +210,7 @@ static void test_a_lost_byte_costs_one_frame(void)
         frames = feed(0, FRAME_BYTES);
         frames += ask();
         TEST_ASSERT_EQUAL_UINT8(1, frames);
-        TEST_ASSERT_EQUAL_UINT16(310, range_raw());
+        TEST_ASSERT_EQUAL_UINT16(3100, range_raw());
     }
 }
 
@@ -232,13 +232,13 @@ static void test_a_late_reader_loses_what_has_no_room(void)
         TEST_ASSERT_FALSE(range_take());
     }
     TEST_ASSERT_TRUE(range_take());
-    TEST_ASSERT_EQUAL_UINT16(300, range_raw());
+    TEST_ASSERT_EQUAL_UINT16(3000, range_raw());
     TEST_ASSERT_EQUAL_UINT8(0, ask());
     make(320, 1000, 2272);
     frames = feed(0, FRAME_BYTES); /* in place of the last two of the second frame */
     frames += ask();
     TEST_ASSERT_EQUAL_UINT8(1, frames);
-    TEST_ASSERT_EQUAL_UINT16(320, range_raw());
+    TEST_ASSERT_EQUAL_UINT16(3200, range_raw());
 }
 
 static void test_a_restart_drops_what_waits(void)
@@ -249,7 +249,7 @@ static void test_a_restart_drops_what_waits(void)
     TEST_ASSERT_EQUAL_UINT8(0, feed(FRAME_BYTES - 1U, 1));
     make(310, 1000, 2272);
     TEST_ASSERT_EQUAL_UINT8(1, feed(0, FRAME_BYTES));
-    TEST_ASSERT_EQUAL_UINT16(310, range_raw());
+    TEST_ASSERT_EQUAL_UINT16(3100, range_raw());
 }
 
 int main(void)
