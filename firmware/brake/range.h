@@ -84,7 +84,7 @@ void range_restart(void);
 /* The distance in the frame, mm; 64 m and more count as 65535. */
 /*@ assigns \nothing; */
 uint16_t range_raw(void);
-#define range_mm(raw) (raw)
+#define range_mm(raw)    (raw)
 
 /* What the frame says, if that is its distance. The manual calls a distance unreliable
  * when the strength is below 100, which is so when nothing is there to send light back, and when it

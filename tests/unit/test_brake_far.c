@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The brake behind a TF-Luna: 100 readings a second, and the times of target.h, latch.h, fault.h and
- * ease.h are the same as with the sensor of 60 ms. */
+/* The brake behind a TF-Luna: 100 readings a second, and the times of target.h, latch.h, fault.h
+ * and ease.h are the same as with the sensor of 60 ms. */
 #define SENSOR_tfluna
 #define ESTIMATOR_smooth
 #define BRAKE_RISE_PCT 3U
