@@ -22,7 +22,7 @@ def entries($key): [$tab | split("\n")[] | select(contains($key)) | capture("^\\
 def first_of($key): entries($key)[0] // "";
 
 def images: [entries("image") | map(fields) | to_entries[]
-    | {id: .value[0], name: .value[1], short: (.value[2] | or_null // .value[1]), colour: (.key % 5 + 1)}];
+    | {id: .value[0], name: .value[1], short: (.value[2] | or_null // .value[1]), colour: (.key % 6 + 1)}];
 def built_images: ($built | split(" ")) as $there | images | map(select(.id as $image | $there | index([$image])));
 # A quantity "gap_mm*0.001-2": a column, times a factor, plus an offset.
 def quantity: capture("^(?<source>\\w+)(\\*(?<factor>-?[0-9.]+))?(?<offset>[-+][0-9.]+)?$")

@@ -201,7 +201,7 @@ function impactOverSpeed(tab, settings, images) {
         curves.map((curve, k) => [line(curve.points.filter(inside).map(([speed, value]) => [area.x(speed), area.y(value)]), `stroke="${curve.colour}" stroke-width="${curve.width}" stroke-dasharray="${curve.dashes}"`),
             line([[area.left + 12, area.top + 12 + 18 * k], [area.left + 36, area.top + 12 + 18 * k]], `stroke="${curve.colour}" stroke-width="${curve.width}" stroke-dasharray="${curve.dashes}"`),
             label(area.left + 42, area.top + 16 + 18 * k, curve.name, "start", 13, "ink")]),
-        label((area.left + area.right) / 2, 322, "closing speed at 5 m, m/s", "middle", 13), besideY(area, "impact speed, m/s", 13));
+        label((area.left + area.right) / 2, 322, "closing speed, m/s", "middle", 13), besideY(area, "impact speed, m/s", 13));
 }
 
 /* A table of two inputs as a surface in space: the value over x and y, seen from the corner where x is

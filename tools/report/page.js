@@ -45,6 +45,11 @@ function tileValue(tab, image, tile) {
         const runs = (common.length ? common : listed).map((scenario) => runOf(tab, image, scenario)).filter((run) => run);
         return `${runs.filter((run) => (tile.kind === "met" ? run.met : run.values?.impact_mps > 0)).length} of ${runs.length}`;
     }
+    if (tile.kind === "sensor") {
+        /* The image's identity names any sensor but the ultrasonic one. */
+        const who = tab.images.find((one) => one.id === image).who;
+        return who === "" ? "–" : (/ Hz (\w+) table=/.exec(who)?.[1] ?? "hcsr04");
+    }
     if (tile.kind === "limit") {
         /* The highest of the rising values in a group's names up to which all was well. */
         let best = null;

@@ -21,6 +21,10 @@ struct writer {
     double range_m, brake_mps2, noise_m, dropout;
 };
 
+/* So far an ultrasonic sensor sees; what is owed is owed for that. A scenario does not say it, so
+ * that a lidar's image sees as far as its own sensor does. */
+static const double sight_m = 5;
+
 static double scaled(double kmh)
 {
     return kmh / 3.6 / sqrt(10);
@@ -112,7 +116,9 @@ static void car_ahead(struct writer *writer, double gap_m, double speed_mps)
 static void sensor(struct writer *writer)
 {
     line(writer, "\n[sensor]");
-    number(writer, "max_m", writer->range_m);
+    if (writer->range_m > sight_m) {
+        number(writer, "max_m", writer->range_m);
+    }
     number(writer, "noise_m", writer->noise_m);
     number(writer, "dropout", writer->dropout);
 }
@@ -402,15 +408,19 @@ static void false_alarms(struct writer *writer)
     sensor(writer);
     owe_calm(writer);
     writer->noise_m = 0;
-    writer->range_m = 5;
+    writer->range_m = sight_m;
 }
 
-/* Where the limit is: a standing car first seen at 5 m, in fine steps, for the figure. */
+/* Where the limit is, in fine steps, for the figure: a standing car out of sight of any sensor, 9 m
+ * away or more. It comes into sight at 5 m half a period before a reading, as everywhere. */
 static void limit(struct writer *writer)
 {
-    for (double v = 4; v <= 8; v += 0.25) {
-        meet(writer, text("limit_%04.2f", v), text("standing car first seen at 5 m, %.2f m/s", v),
-             v, 0, unseen_m(writer, v), 0);
+    for (double v = 4; v <= 10; v += 0.25) {
+        double start_m = unseen_m(writer, v);
+
+        start_m += ceil((9 - start_m) / (0.06 * v)) * 0.06 * v;
+        meet(writer, text("limit_%05.2f", v), text("standing car met at %.2f m/s", v), v, 0,
+             start_m, 0);
     }
 }
 
@@ -442,7 +452,7 @@ int protocols_write(const char *folder, const char *map)
          {2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 25, 30, 35, 0},
          {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0}},
     };
-    struct writer writer = {.folder = folder, .range_m = 5, .brake_mps2 = 8};
+    struct writer writer = {.folder = folder, .range_m = sight_m, .brake_mps2 = 8};
     size_t k = 0, count = sizeof grids / sizeof grids[0];
 
     while (k < count && strcmp(grids[k].name, map) != 0) {

@@ -6,6 +6,7 @@
 #include "car.h"
 #include "diag.h"
 #include "fast.h"
+#include "identity.h"
 #include "run.h"
 
 #include <ini.h>
@@ -81,6 +82,24 @@ static void keep_row(void *user, int64_t t_ns, const double values[WORLD_COLUMNS
     memcpy(page.values, values, sizeof page.values);
 }
 
+/* "sensor.kind=..." if the image says that it reads another sensor than the first; else NULL. */
+static char *sensor_setting(void)
+{
+    static char setting[IDENTITY_WORD + 16];
+    static struct hexfile hex;
+    static struct identity identity;
+
+    if (hexfile_read(&hex, "image") != EXIT_FINE) {
+        return NULL;
+    }
+    identity_find(&identity, &hex);
+    if (strcmp(identity.sensor, "tfluna") != 0) {
+        return NULL;
+    }
+    snprintf(setting, sizeof setting, "sensor.kind=%s", identity.sensor);
+    return setting;
+}
+
 /* SIZE bytes for a text of the page; to be freed by page_begin. */
 FOR_THE_PAGE(page_text) char *page_text(size_t size)
 {
@@ -103,6 +122,8 @@ FOR_THE_PAGE(page_begin) int page_begin(char *image, char *board, char *settings
     end_drive();
     page.said[0] = '\0';
     page.image = image;
+    lines[count] = sensor_setting();
+    count += lines[count] != NULL;
     while (rest != NULL && count < SETTINGS_MAX) {
         lines[count++] = strsep(&rest, "\n");
     }
