@@ -82,6 +82,7 @@ flips:     ## flips every bit of the chip, in five drives of the brake, and says
 flips-all: ## the same at every cycle of a control period; takes hours
 prove:     ## proofs about the firmware by Frama-C; ends with 1 if one is open
 test-prove: ## seeds faults into copies of the firmware, for which the proofs must fail
+tune:      ## looks anew for tables/brake_tuned.fis and brake_far.fis, in build/tune
 mutants:   ## changes the firmware, and what judges it, in thousands of ways; a unit test must find each
 fuzz:      ## odd input for fistab, bound, drive and its simulator, for FUZZ_SECONDS in all
 pictures:  ## the pictures in docs/pictures

@@ -32,3 +32,14 @@ run-attack: build/lab lab-images
 	@build/lab attack --runs $(ATTACK_RUNS) build/lab-images/first.so $(patsubst %,build/lab-images/%.so,brake tuned classic)
 	@$(MAKE) BOARD=$(DEFAULT_BOARD) $(HEAD_ATTACK_IMAGES)
 	@build/lab attack --runs $(HEAD_ATTACK_RUNS) $(HEAD_ATTACK_IMAGES)
+
+# Looks anew for the tables that say how they were found; leaves what it finds in build/tune. A walk takes ten
+# minutes or more.
+.PHONY: tune
+tune: build/lab lab-images
+	@mkdir -p build/tune
+	@for table in $$(grep -lE '^% *build/lab tune ' tables/*.fis); do \
+	    found=build/tune/$${table##*/}; \
+	    $$(sed -n 's|^% *\(build/lab tune .*\) -o FILE$$|\1|p' $$table) -o $$found; \
+	    echo "tune: $$found, in place of $$table"; \
+	done
