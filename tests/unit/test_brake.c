@@ -321,6 +321,16 @@ static void test_override_held_a_second_lets_go_and_no_sooner(void)
     TEST_ASSERT_FALSE(brake_must_stop(500));
 }
 
+static void test_a_start_forgets_the_override(void)
+{
+    stop_at_900();
+    step_held = true;
+    wait_cs(BRAKE_OVERRIDE_CS);
+    TEST_ASSERT_TRUE(brake.overridden);
+    brake_init(BRAKE_FAULT_NONE);
+    TEST_ASSERT_FALSE(brake.overridden);
+}
+
 static void test_override_works_only_while_held(void)
 {
     uint8_t i;
@@ -1272,6 +1282,7 @@ int main(void)
     RUN_TEST(test_stop_holds_a_target_that_opens_too_slowly);
     RUN_TEST(test_two_opening_readings_must_follow_each_other);
     RUN_TEST(test_override_held_a_second_lets_go_and_no_sooner);
+    RUN_TEST(test_a_start_forgets_the_override);
     RUN_TEST(test_override_works_only_while_held);
     RUN_TEST(test_an_override_held_for_30_s_is_stuck_until_it_is_released);
     RUN_TEST(test_a_short_press_changes_nothing);

@@ -483,6 +483,16 @@ static void test_frame_with_items_that_is_cut_short_costs_only_itself(void)
     }
 }
 
+static void test_what_is_left_of_a_frame_goes_with_a_start(void)
+{
+    (void)encode_items(2, 2, 3);
+    frame_init(FRAME_RADAR, FIXED_BYTES, ITEM_BYTES);
+    (void)push(0, FIXED_BYTES + 4);
+    TEST_ASSERT_NOT_EQUAL(0, frame_items_left());
+    frame_init(FRAME_PARK, PAYLOAD_BYTES, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, frame_items_left());
+}
+
 static void test_wrong_number_of_items_is_found(void)
 {
     uint8_t told, size;
@@ -501,6 +511,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_items_come_out_one_by_one_and_then_the_frame);
     RUN_TEST(test_frame_with_items_that_is_cut_short_costs_only_itself);
+    RUN_TEST(test_what_is_left_of_a_frame_goes_with_a_start);
     RUN_TEST(test_wrong_number_of_items_is_found);
     RUN_TEST(test_check_sum_is_the_published_one);
     RUN_TEST(test_a_good_frame_comes_out_as_it_was_sent);

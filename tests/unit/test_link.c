@@ -99,6 +99,18 @@ static void test_one_bad_frame_in_a_row_is_no_silence_and_two_are(void)
     TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(210 + 290)); /* two: 300 ms, read as 290 */
 }
 
+static void test_a_link_begins_anew_at_any_time(void)
+{
+    bring_up(100);
+    link_init(LINK_WAITING, 60000);
+    TEST_ASSERT_EQUAL_UINT8(LINK_WAITING, link_check(60499));
+    TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(60500));
+    TEST_ASSERT_FALSE(link_good(60600));
+    TEST_ASSERT_FALSE(link_good(60700));
+    link_init(LINK_LOST, 60800);
+    TEST_ASSERT_FALSE(link_good(60900));
+}
+
 static void test_clock_may_wrap(void)
 {
     link_init(LINK_WAITING, 65400U);
@@ -126,6 +138,7 @@ int main(void)
     RUN_TEST(test_bad_frames_are_no_sign_of_life);
     RUN_TEST(test_frame_after_a_silence_does_not_undo_it);
     RUN_TEST(test_one_bad_frame_in_a_row_is_no_silence_and_two_are);
+    RUN_TEST(test_a_link_begins_anew_at_any_time);
     RUN_TEST(test_clock_may_wrap);
     RUN_TEST(test_a_lost_link_comes_back_at_any_time);
     return UNITY_END();

@@ -397,6 +397,29 @@ static void test_a_near_target_does_not_vanish_for_1200_ms(void)
     check_near_clears();
 }
 
+static void test_a_start_forgets_that_a_target_was_near(void)
+{
+    track(2000, 50, 4);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_LOST, clear());
+    target_init();
+    (void)echo(4000);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, clear());
+}
+
+static void test_a_target_that_was_dropped_has_no_speed(void)
+{
+    uint8_t i;
+
+    track(4000, 50, 4);
+    TEST_ASSERT_NOT_EQUAL(0, closing_smooth.closing_mmps);
+    for (i = 0; target_worth != TARGET_NONE && i < 20; i++) {
+        missing();
+    }
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NONE, target_worth);
+    TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
+    TEST_ASSERT_EQUAL_UINT16(0, closing_difference.closing_mmps);
+}
+
 static void test_a_target_that_is_near_by_now_is_near(void)
 {
     track(5200, 300, 4); /* 4.3 m and 5 m/s: 4 m by the clear reading */
@@ -700,6 +723,8 @@ int main(void)
     RUN_TEST(test_clear_readings_that_end_a_new_target);
     RUN_TEST(test_clear_readings_that_end_a_tracked_target_far_away);
     RUN_TEST(test_a_near_target_does_not_vanish_for_1200_ms);
+    RUN_TEST(test_a_start_forgets_that_a_target_was_near);
+    RUN_TEST(test_a_target_that_was_dropped_has_no_speed);
     RUN_TEST(test_a_target_that_is_near_by_now_is_near);
     RUN_TEST(test_a_near_target_stays_near_when_it_begins_anew);
     RUN_TEST(test_the_next_echo_of_a_target_that_seemed_gone_is_its_second_reading);
