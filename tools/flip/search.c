@@ -10,6 +10,8 @@
 enum {
     QUIET_MC = 24, /* no slot ends nearer than that to a change of a pin */
     SP = 0x81,
+    PCON = 0x87,
+    PD = 0x02,
     PSW = 0xD0,
     BANK = 0x18
 };
@@ -182,26 +184,32 @@ static bool cut_slots(struct search *search, struct mcs52 *start, uint64_t windo
 
 /* --- classes ------------------------------------------------------------------------------ */
 
+/* The chip's clock stands. */
+static bool is_off(struct mcs52 *chip)
+{
+    return mcs52_is_asleep(chip) && (mcs52_sfr(chip, PCON) & PD);
+}
+
+/* In place of a snapshot of a chip whose clock stands for good: only its pins count. */
+static void pins_of(const struct mcs52 *chip, struct mcs52_snapshot *state)
+{
+    memset(state, 0, sizeof *state);
+    for (int pin = 0; pin < 32; pin++) {
+        state->bytes[pin] = mcs52_pin(chip, pin / 8, pin % 8);
+    }
+}
+
 /* WORK has come to the end of SLOT: the class of that, which is CLASS if it is a new one. */
 static uint32_t settle(struct search *search, const struct slot *slot, uint32_t class)
 {
     struct runner *work = &search->work;
     struct mcs52_snapshot state;
 
-    mcs52_snapshot(work->chip, &state);
-    if (mcs52_is_asleep(work->chip)) { /* for good: only its pins count */
-        uint8_t pins[4];
-
-        for (int port = 0; port < 4; port++) {
-            pins[port] = 0;
-            for (int bit = 0; bit < 8; bit++) {
-                pins[port] |= (uint8_t)(mcs52_pin(work->chip, port, bit) << bit);
-            }
-        }
-        memset(&state, 0, sizeof state);
-        memcpy(&state, pins, sizeof pins);
+    if (is_off(work->chip)) {
+        pins_of(work->chip, &state);
         return classes_leave(search->space->classes, class, &state, work->edges);
     }
+    mcs52_snapshot(work->chip, &state);
     if (work->reset || work->edges != slot->edges) {
         return classes_leave(search->space->classes, class, &state, work->edges);
     }
@@ -281,7 +289,7 @@ static bool still_waits(struct search *search, const struct step *step, const st
     struct runner *lead = &search->lead;
 
     if (search->work.edges != step->edges_after || search->work.reset ||
-        mcs52_is_asleep(search->work.chip)) {
+        is_off(search->work.chip)) {
         return false;
     }
     mcs52_revive(lead->chip, &step->after);

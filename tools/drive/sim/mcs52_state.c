@@ -148,6 +148,9 @@ void mcs52_revive(struct mcs52 *chip, const struct mcs52_snapshot *snapshot)
 
 bool mcs52_equal(struct mcs52 *a, struct mcs52 *b)
 {
+    if (a->now != b->now || a->pc != b->pc) {
+        return false;
+    }
     normalize(a);
     normalize(b);
     return same_fields(a, b) && same_queue(a, b);
