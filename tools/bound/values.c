@@ -67,10 +67,19 @@ static bool merge(struct value *value, struct value other)
     return true;
 }
 
+bool values_equal(const struct values *a, const struct values *b)
+{
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
 bool values_merge(struct values *values, const struct values *other)
 {
-    bool is_less = merge(&values->carry, other->carry);
+    bool is_less;
 
+    if (values_equal(values, other)) {
+        return false; /* as most often */
+    }
+    is_less = merge(&values->carry, other->carry);
     for (int i = 0; i < VALUES_BYTES; i++) {
         is_less |= merge(&values->byte[i], other->byte[i]);
     }
@@ -78,11 +87,6 @@ bool values_merge(struct values *values, const struct values *other)
         is_less |= merge(&values->slot[i], other->slot[i]);
     }
     return is_less;
-}
-
-bool values_equal(const struct values *a, const struct values *b)
-{
-    return memcmp(a, b, sizeof *a) == 0;
 }
 
 int values_depth(const struct values *values)
