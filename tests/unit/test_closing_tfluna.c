@@ -196,6 +196,59 @@ static void test_a_place_behind_the_sensor_is_foreseen_below_zero(void)
 }
 
 /* The sum tells each bit of what is kept from one reading to the next. */
+/* Rounded down: 1 mm in n/100 s is 50 / n units of 2 mm/s, which is in the table as 1 / 4096. */
+static void test_each_time_has_its_rate(void)
+{
+    uint8_t span_cs, i;
+    int16_t mm;
+
+    for (span_cs = CLOSING_SPAN_MIN_CS; span_cs <= CLOSING_SPAN_MAX_CS; span_cs++) {
+        uint16_t rate = (uint16_t)((204800UL + span_cs - 1U) / span_cs);
+
+        for (i = 0; i < 40; i++) {
+            mm = (int16_t)(i < 30 ? 3200 - i : i - 29);
+            closing_place_mm = 8000;
+            closing_take_second((uint16_t)(8000 - mm), span_cs);
+            TEST_ASSERT_EQUAL_INT32(2 * ((((uint32_t)mm << 4) * rate) >> 16),
+                                    speed(&closing_smooth));
+            closing_place_mm = 8000;
+            closing_take_second((uint16_t)(8000 + mm), span_cs);
+            TEST_ASSERT_EQUAL_INT32(-2 * (int32_t)((((uint32_t)mm << 4) * rate) >> 16),
+                                    speed(&closing_smooth));
+        }
+    }
+}
+
+/* By hand: 25 / 128 of the quarters of 1 mm for the speed, 3 / 16 for the place, rounded down. */
+static void test_a_place_off_moves_speed_and_place_by_their_parts(void)
+{
+    static const struct {
+        int16_t off_mm, speed_mmps, place_mm;
+    } cases[] = {{0, 0, 4000},       {1, 0, 4000},     {2, 2, 3999},       {-1, -2, 4000},
+                 {-2, -4, 4000},     {100, 156, 3981}, {-100, -158, 4018}, {319, 498, 3940},
+                 {-319, -500, 4060}, {320, 500, 3940}, {-320, -500, 4060}, {321, 500, 3940},
+                 {-321, -500, 4060}, {900, 500, 3940}, {-900, -500, 4060}};
+    uint8_t i;
+
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        begin(4000, 0);
+        take((uint16_t)(4000 - cases[i].off_mm), 1);
+        TEST_ASSERT_EQUAL_INT32(cases[i].speed_mmps, speed(&closing_smooth));
+        closing_expect(0);
+        TEST_ASSERT_EQUAL_UINT16(cases[i].place_mm, closing_foreseen_mm);
+    }
+}
+
+static void test_the_way_of_a_quarter_of_a_second_is_foreseen(void)
+{
+    begin(8000, 2100); /* 35 m/s: 8.75 m */
+    closing_expect(25);
+    TEST_ASSERT_INT16_WITHIN(2, 5900 - 8750, (int16_t)closing_foreseen_mm);
+    begin(1300, 300); /* 5 m/s: from 1 m on 1249.8 mm, rounded down as the speed is */
+    closing_expect(25);
+    TEST_ASSERT_EQUAL_INT16(-250, (int16_t)closing_foreseen_mm);
+}
+
 static void test_each_bit_changes_the_sum(void)
 {
     uint8_t sum, bit;
@@ -242,6 +295,9 @@ int main(void)
     RUN_TEST(test_a_place_far_off_counts_as_the_furthest);
     RUN_TEST(test_the_place_is_foreseen_over_any_time);
     RUN_TEST(test_a_place_behind_the_sensor_is_foreseen_below_zero);
+    RUN_TEST(test_each_time_has_its_rate);
+    RUN_TEST(test_a_place_off_moves_speed_and_place_by_their_parts);
+    RUN_TEST(test_the_way_of_a_quarter_of_a_second_is_foreseen);
     RUN_TEST(test_each_bit_changes_the_sum);
     return UNITY_END();
 }

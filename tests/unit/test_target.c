@@ -397,6 +397,20 @@ static void test_a_near_target_does_not_vanish_for_1200_ms(void)
     check_near_clears();
 }
 
+/* 120 ms before it was 5900 mm, which is not near; 180 ms before 4000 mm. */
+static void test_what_entered_late_takes_a_likely_one_aside_only(void)
+{
+    (void)clear();
+    (void)echo(3000);
+    (void)echo(4000);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_ENTERED_LATE, target_worth);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_JUMP, echo(5900));
+    missing();
+    (void)echo(5100);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_NEW, target_worth);
+    TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
+}
+
 static void test_a_start_forgets_that_a_target_was_near(void)
 {
     track(2000, 50, 4);
@@ -723,6 +737,7 @@ int main(void)
     RUN_TEST(test_clear_readings_that_end_a_new_target);
     RUN_TEST(test_clear_readings_that_end_a_tracked_target_far_away);
     RUN_TEST(test_a_near_target_does_not_vanish_for_1200_ms);
+    RUN_TEST(test_what_entered_late_takes_a_likely_one_aside_only);
     RUN_TEST(test_a_start_forgets_that_a_target_was_near);
     RUN_TEST(test_a_target_that_was_dropped_has_no_speed);
     RUN_TEST(test_a_target_that_is_near_by_now_is_near);
