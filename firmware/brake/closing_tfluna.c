@@ -3,8 +3,9 @@
  *   difference   of two places at least 60 ms apart, each 60 ms
  *   smooth       alpha-beta with 3/16 and 1/64
  * With readings rounded to 1 cm and noise of 2 cm the difference errs by 0.47 m/s (standard
- * deviation) and alpha-beta by 0.053; alpha-beta follows a ramp 0.12 s late. (1/4 and 1/32: 0.096,
- * 0.08 s. 1/8 and 1/128: 0.031, 0.16 s.) The ultrasonic sensor with 1 cm: 0.24, 0.047, 0.15 s.
+ * deviation) and alpha-beta by 0.053; alpha-beta follows a ramp 0.11 s late (`make bench`; with 1/4
+ * and 1/32: 0.096, 0.08 s; 1/8 and 1/128: 0.031, 0.16 s). The ultrasonic sensor with 1 cm: 0.24,
+ * 0.047, 0.15 s.
  * Inside, a speed is in 2 mm/s, positive when closing, modulo 2^16. */
 #include "closing.h"
 #include "fixed.h"

@@ -1,9 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The two estimators of firmware/brake/closing.h in the loop: what noise and missing readings make of the
-# closing speed and of the brake, beside the figures of a floating-point study of this loop.
+# The two estimators of firmware/brake/closing.h in the loop, with the HC-SR04 and with the TF-Luna: what
+# noise and missing readings make of the closing speed and of the brake, beside the figures of a
+# floating-point study of this loop with the HC-SR04.
 #     tests/bench/estimator.sh [BOARD]     after `make`; BOARD: stc89c516rd
-# Builds both images (ESTIMATOR=difference, smooth) under build/bench/estimator and runs them under drive,
+# Builds the images (ESTIMATOR=difference, smooth) under build/bench/estimator and runs them under drive,
 # at 0, 1 and 2 cm of noise and 0, 2 and 10 % of readings missing, rounded to 1 cm as in the study:
 #
 #   hold   own car and target stand 3, 4 and 4.9 m apart, one after the other; each gap counts from 0.6 s after
@@ -33,7 +34,10 @@ mkdir -p "$out"
 rm -f "$out"/*.scn "$out"/*.csv "$out"/*.uart "$out"/*.log
 
 for estimator in difference smooth; do
-    make BOARD="$board" ESTIMATOR="$estimator" OUT="$out/$estimator" "$out/$estimator/brake.ihx"
+    for sensor in hcsr04 tfluna; do
+        image=$out/$sensor-$estimator
+        make BOARD="$board" SENSOR="$sensor" ESTIMATOR="$estimator" OUT="$image" "$image/brake.ihx"
+    done
 done
 
 # --- the drives --------------------------------------------------------------------------------------
@@ -98,10 +102,10 @@ for noise_cm in 0 1 2; do
 done
 
 # Prints the drive's name, and what was wrong with it.
-run_one() { # ESTIMATOR SCENARIO
+run_one() { # SENSOR-ESTIMATOR SCENARIO
     local name trouble=
     name=$1-$(basename "$2" .scn)
-    build/drive run --hex "$out/$1/brake.ihx" --board "$board" --scenario "$2" \
+    build/drive run ${ENGINE:+"--engine=$ENGINE"} --hex "$out/$1/brake.ihx" --board "$board" --scenario "$2" \
         --csv "$out/$name.csv" --uart "$out/$name.uart" >"$out/$name.log" 2>&1 ||
         trouble="drive ended with $?: $(tail -n 1 "$out/$name.log")"
     echo "$name $trouble"
@@ -110,7 +114,7 @@ export -f run_one
 export out board
 
 mapfile -t drives < <(ls -r "$out"/*.scn) # the longest are among the first
-total=$((2 * ${#drives[@]})) ended=0 failed=0
+total=$((4 * ${#drives[@]})) ended=0 failed=0
 while read -r name trouble; do
     ended=$((ended + 1))
     [ ! -t 2 ] || printf '\restimator.sh: %d of %d drives ' "$ended" "$total" >&2
@@ -118,7 +122,7 @@ while read -r name trouble; do
         echo "estimator.sh: error: $name: $trouble; see $out/$name.log" >&2
         failed=1
     }
-done < <(parallel -j "${JOBS:-2}" --will-cite run_one ::: difference smooth ::: "${drives[@]}")
+done < <(parallel -j "${JOBS:-2}" --will-cite run_one ::: {hcsr04,tfluna}-{difference,smooth} ::: "${drives[@]}")
 [ ! -t 2 ] || echo >&2
 [ "$ended" -eq "$total" ] || {
     echo "estimator.sh: error: $ended of $total drives ended" >&2
@@ -129,15 +133,19 @@ done < <(parallel -j "${JOBS:-2}" --will-cite run_one ::: difference smooth ::: 
 # --- results ----------------------------------------------------------------------------------------
 
 # A row of the table, and in a last column "most changes a second of more than 2 points".
-figures() { # ESTIMATOR CONDITION
+figures() { # SENSOR-ESTIMATOR CONDITION
     local runs=$out/$1-$2
-    awk -F, -v name="$1" -v noise_cm="${2%-*}" -v missing_pct="${2#*-}" '
+    # A reading comes every so many rows of 10 ms, the first one at that row. A TF-Luna's is the mean of the
+    # 10 ms before it is sent.
+    local rows=6 row=0
+    case $1 in tfluna-*) rows=1 row=2 ;; esac
+    awk -F, -v "each=$rows" -v "from=$row" -v name="${1#*-}" -v noise_cm="${2%-*}" -v missing_pct="${2#*-}" '
     function abs(x) { return x < 0 ? -x : x }
     function larger(a, b) { return a > b ? a : b }
     FNR == 1 { row = 0 }
     /^t_s/ || run == "" { next }
-    is_uart { # a line a trigger, and one trigger every 6 rows
-        if (NF == 9 && $1 ~ /^[0-9]+$/) speed_mps[run, 6 * ($1 - 1)] = $4 / 1000
+    is_uart { # a line a reading, but for those that the line has no time for
+        if (NF == 9 && $1 ~ /^[0-9]+$/) speed_mps[run, from + each * ($1 - 1)] = $4 / 1000
         next
     }
     {
@@ -153,7 +161,7 @@ figures() { # ESTIMATOR CONDITION
             if (k == from) counted2 = counted3 = duty
             if (abs(duty - counted2) > 2) { counted2 = duty; changes2++ }
             if (abs(duty - counted3) > 3) { counted3 = duty; changes3++ }
-            if (k % 6) continue
+            if (k % each) continue
             n++; sum += duty; square += duty ^ 2
             if (("hold", k) in speed_mps) { readings++; noise += (speed_mps["hold", k] - closing_mps["hold", k]) ^ 2 }
         }
@@ -172,8 +180,8 @@ figures() { # ESTIMATOR CONDITION
     }
     # RUN from row 90 to the last metre; REFERENCE is the same without noise.
     function ramp(run, reference,    k, first, last) {
-        for (k = 90; k < rows[run] && gap_m[run, k] > 1.1; k += 6) {
-            if (gap_m[run, k - 6] < 4.9) { # the reading that this brake is for
+        for (k = 90; k < rows[run] && gap_m[run, k] > 1.1; k += each) {
+            if (gap_m[run, k - each] < 4.9) { # the reading that this brake is for
                 ramp_duties++
                 ramp_square += (brake_pct[run, k] - brake_pct[reference, k]) ^ 2
             }
@@ -198,28 +206,36 @@ figures() { # ESTIMATOR CONDITION
         is_uart=1 run=hold "$runs-hold.uart" run=ramp1 "$runs-ramp1.uart" run=ramp2 "$runs-ramp2.uart"
 }
 
-echo "The estimators in the loop ($board; readings every 60 ms, rounded to 1 cm), beside the study's:"
-cat <<'END'
+# Prints the table of a sensor and whether its goal is held.
+table() { # SENSOR
+    local estimator condition line held=held most=0 where='all cases'
+    cat <<'END'
                   read-    rate         brake noise   changes a second  one reading short by
             noise  ings   noise    lag  hold    ramp    of more than    1 m   0.5 m   0.2 m:
 estimator      cm  lost     m/s      s     points       2       3     brake rises/falls by points
 END
-most=0 where='all cases'
-for estimator in difference smooth; do
-    for condition in "${conditions[@]}"; do
-        line=$(figures "$estimator" "$condition")
-        echo "${line%|*}"
-        if awk -v a="$most" -v b="${line#*|}" 'BEGIN { exit b <= a }'; then
-            most=${line#*|}
-            where="$estimator, ${condition%-*} cm, ${condition#*-} % lost"
-        fi
+    for estimator in difference smooth; do
+        for condition in "${conditions[@]}"; do
+            line=$(figures "$1-$estimator" "$condition")
+            echo "${line%|*}"
+            if awk -v a="$most" -v b="${line#*|}" 'BEGIN { exit b <= a }'; then
+                most=${line#*|}
+                where="$estimator, ${condition%-*} cm, ${condition#*-} % lost"
+            fi
+        done
+        case $1-$estimator in
+        hcsr04-difference) echo '     study      1     -   0.243  0.03  1.2 (worst of 5)          < 1    30 to 50 unguarded, 1 (p99) gated' ;;
+        hcsr04-smooth) echo '     study      1     -   0.047  0.15  0.5 (worst of 5)            -    30 to 50 unguarded, 1 (p99) gated' ;;
+        esac
     done
-    case $estimator in
-    difference) echo '     study      1     -   0.243  0.03  1.2 (worst of 5)          < 1    30 to 50 unguarded, 1 (p99) gated' ;;
-    smooth) echo '     study      1     -   0.047  0.15  0.5 (worst of 5)            -    30 to 50 unguarded, 1 (p99) gated' ;;
-    esac
-done
-held=held
-awk -v most="$most" 'BEGIN { exit most > 1 }' || held=MISSED
-echo "    goal: at a constant gap at most 1 change of more than 2 points a second: $held (most $most: $where)"
-[ "$held" = held ]
+    awk -v most="$most" 'BEGIN { exit most > 1 }' || held=MISSED
+    echo "    goal: at a constant gap at most 1 change of more than 2 points a second: $held (most $most: $where)"
+    [ "$held" = held ] || missed=1
+}
+
+missed=0
+echo "The estimators in the loop ($board; readings every 60 ms, rounded to 1 cm), beside the study's:"
+table hcsr04
+echo "The same with a TF-Luna ($board; readings every 10 ms, rounded to 1 cm):"
+table tfluna
+exit $missed
