@@ -296,6 +296,70 @@ static void test_a_target_that_is_lost_for_long_is_stuck_when_it_comes_back_to_i
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, fault_code);
 }
 
+static void test_how_far_it_should_have_come_is_speed_times_time(void)
+{
+    static const struct {
+        uint8_t speed, way, time_cs, sum;
+    } cases[] = {{47, 0, 1, 47},  {48, 0, 1, 48},   {12, 24, 2, 48},
+                 {51, 0, 5, 255}, {128, 0, 2, 255}, {255, 255, 9, 255}};
+    uint8_t i;
+
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        has_changed = false;
+        run_speed = cases[i].speed;
+        run_way = cases[i].way;
+        TEST_ASSERT_EQUAL(cases[i].sum >= TARGET_STUCK_WAY, has_come_far(cases[i].time_cs));
+        TEST_ASSERT_EQUAL_UINT8(cases[i].sum, run_way);
+    }
+}
+
+static void test_another_reading_begins_the_way_anew(void)
+{
+    track(7000, 50);
+    closing_difference.closing_mmps = 0x1334;
+    closing_smooth.closing_mmps = 0x1234;
+    has_changed = true;
+    run_speed = run_way = 9;
+    (void)has_come_far(1);
+    TEST_ASSERT_FALSE(has_changed);
+    TEST_ASSERT_EQUAL_UINT8(0x12, run_speed);
+    TEST_ASSERT_EQUAL_UINT8(0x12, run_way);
+    closing_smooth.closing_mmps = 0;
+    closing_smooth.opening_mmps = 0x1534;
+    has_changed = true;
+    (void)has_come_far(1);
+    TEST_ASSERT_EQUAL_UINT8(0x15, run_speed);
+    closing_smooth.opening_mmps = 0; /* it may have come to rest */
+    has_changed = true;
+    TEST_ASSERT_FALSE(has_come_far(200));
+    TEST_ASSERT_EQUAL_UINT8(0, run_speed);
+    TEST_ASSERT_EQUAL_UINT8(0, run_way);
+    drop();
+    TEST_ASSERT_TRUE(has_changed);
+}
+
+static void test_a_stuck_reading_lasts_for_its_readings(void)
+{
+    track(7500, 50);
+    while (fault_code != BRAKE_FAULT_STUCK) {
+        echo(place_mm);
+    }
+    TEST_ASSERT_EQUAL_UINT8(TARGET_REST_READINGS, stuck_readings);
+    echo(place_mm);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STUCK, fault_code);
+    TEST_ASSERT_EQUAL_UINT8(TARGET_TRACKED, target_worth);
+}
+
+static void test_no_time_counts_as_one_hundredth_of_a_second(void)
+{
+    track(7000, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, since_cs);
+    target_expect(0);
+    TEST_ASSERT_EQUAL_UINT8(1, since_cs);
+    target_expect(1);
+    TEST_ASSERT_EQUAL_UINT8(2, since_cs);
+}
+
 /* --- STOP ------------------------------------------------------------------------------------- */
 
 static void test_the_first_frame_within_a_metre_stops_at_once(void)
@@ -395,6 +459,33 @@ static void test_the_demand_rises_gently_above_60_pct(void)
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
 }
 
+static void test_the_rise_has_its_limits(void)
+{
+    static const struct {
+        uint8_t now_pct, wanted_pct, pct;
+    } cases[] = {{0, 100, 60},  {0, 60, 60},  {0, 61, 60},  {57, 100, 60}, {58, 100, 61},
+                 {90, 100, 93}, {90, 93, 93}, {90, 92, 92}, {90, 10, 10},  {100, 100, 100}};
+    uint8_t i;
+
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        demand_pct = cases[i].now_pct;
+        TEST_ASSERT_EQUAL_UINT8(cases[i].pct, rising(cases[i].wanted_pct));
+    }
+}
+
+/* A target is in reach up to 8 m, and from then on up to 8.08 m. */
+static void test_a_target_is_in_reach_up_to_8_m(void)
+{
+    echo(8001);
+    TEST_ASSERT_FALSE(is_in_reach);
+    echo(8000);
+    TEST_ASSERT_TRUE(is_in_reach);
+    echo(8080);
+    TEST_ASSERT_TRUE(is_in_reach);
+    echo(8081);
+    TEST_ASSERT_FALSE(is_in_reach);
+}
+
 /* 1.92 s at a constant gap, then 1 % each 60 ms up to the hold. */
 static void test_a_car_that_stands_is_held_after_the_same_time(void)
 {
@@ -427,6 +518,7 @@ static void test_each_byte_changes_the_sum(void)
     uint8_t sum, bit;
 
     track(6000, 50);
+    run_speed = run_way = 0xFF;
     sum = brake_sum();
     for (bit = 1; bit != 0; bit = (uint8_t)(bit << 1)) {
         run_speed ^= bit;
@@ -459,12 +551,18 @@ int main(void)
     RUN_TEST(test_the_same_reading_of_a_moving_target_is_stuck);
     RUN_TEST(test_a_stuck_target_that_moves_on_is_another_one);
     RUN_TEST(test_a_target_that_is_lost_for_long_is_stuck_when_it_comes_back_to_its_place);
+    RUN_TEST(test_how_far_it_should_have_come_is_speed_times_time);
+    RUN_TEST(test_another_reading_begins_the_way_anew);
+    RUN_TEST(test_a_stuck_reading_lasts_for_its_readings);
+    RUN_TEST(test_no_time_counts_as_one_hundredth_of_a_second);
     RUN_TEST(test_the_first_frame_within_a_metre_stops_at_once);
     RUN_TEST(test_stop_ends_when_the_gap_opens_for_60_ms);
     RUN_TEST(test_a_slow_reading_between_begins_the_60_ms_anew);
     RUN_TEST(test_stop_ends_after_two_seconds_of_clear_road);
     RUN_TEST(test_what_enters_brakes_more_and_more);
     RUN_TEST(test_the_demand_rises_gently_above_60_pct);
+    RUN_TEST(test_the_rise_has_its_limits);
+    RUN_TEST(test_a_target_is_in_reach_up_to_8_m);
     RUN_TEST(test_a_car_that_stands_is_held_after_the_same_time);
     RUN_TEST(test_each_byte_changes_the_sum);
     return UNITY_END();
