@@ -193,6 +193,26 @@ static void test_of_several_robots_the_nearest_counts(void)
     TEST_ASSERT_EQUAL_INT(700000, robots.least_gap_um);
 }
 
+static void test_the_order_of_the_robots_ahead_does_not_matter(void)
+{
+    struct robots robots = start(9000, 1000, 0);
+    struct robot_ahead ahead[] = {{true, 3000000, 1500}, {true, 5000000, 500}, {true, 1, 700}};
+
+    robots_see_nearest(&robots, ahead, 2);
+    TEST_ASSERT_EQUAL_INT(3000000, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(1500, robots.lead_mmps);
+    robots_step(&robots, 0, false);
+    robots_move_ahead(&robots, ahead, 2);
+    TEST_ASSERT_EQUAL_INT(3050000, ahead[0].gap_um);
+    TEST_ASSERT_EQUAL_INT(1, ahead[2].gap_um);
+    robots_see_nearest(&robots, ahead, 3);
+    TEST_ASSERT_EQUAL_INT(1, robots.gap_um);
+    TEST_ASSERT_EQUAL_INT(700, robots.lead_mmps);
+    ahead[0].gap_um = 1; /* side by side: the first one */
+    robots_see_nearest(&robots, ahead, 3);
+    TEST_ASSERT_EQUAL_INT(1500, robots.lead_mmps);
+}
+
 static void test_who_is_not_ahead_is_not_seen(void)
 {
     struct robots robots = start(9000, 2000, 1000);
@@ -215,6 +235,9 @@ static void test_gaps_end_at_a_kilometre(void)
     TEST_ASSERT_EQUAL_INT(1000000000, robots.gap_um);
     robots_move_ahead(&robots, &far, 1);
     TEST_ASSERT_EQUAL_INT(1000000000, far.gap_um);
+    far = (struct robot_ahead){true, 999999999, 0};
+    robots_move_ahead(&robots, &far, 1);
+    TEST_ASSERT_EQUAL_INT(999999999, far.gap_um);
 }
 
 int main(void)
@@ -233,6 +256,7 @@ int main(void)
     RUN_TEST(test_contact_is_a_gap_of_0);
     RUN_TEST(test_least_gap_is_kept);
     RUN_TEST(test_of_several_robots_the_nearest_counts);
+    RUN_TEST(test_the_order_of_the_robots_ahead_does_not_matter);
     RUN_TEST(test_who_is_not_ahead_is_not_seen);
     RUN_TEST(test_gaps_end_at_a_kilometre);
     return UNITY_END();

@@ -6,7 +6,6 @@
 void robots_start(struct robots *robots)
 {
     robots->step = 0;
-    robots->driven_um = 0;
     robots->changed_step = -1;
     robots->least_gap_um = robots->gap_um;
     robots->collided = robots->gap_um <= 0;

@@ -22,7 +22,7 @@ struct robots {
     int32_t gap_um; /* to the nearest robot ahead */
     int own_mmps;
     int lead_mmps;     /* may be set before any step, until the lane is changed */
-    int32_t driven_um; /* in the last step */
+    int32_t driven_um; /* in the last step, if there was one */
     bool lane_is_free; /* the other one; taken once the robot has changed to it */
     int new_lead_mmps; /* who drives there */
     int step;          /* so many are over */
