@@ -7,7 +7,7 @@ UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)
 include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/rules.mk))
 
 # Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip; the
-# drives of each board, law and controller, and those that last for minutes. s51 drives the brake on the
+# drives of each board, law and controller, and the long ones. s51 drives the brake on the
 # default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(filter $(ALL_IMAGES),$(LOOP_FOLDERS)))
@@ -23,12 +23,12 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(LAW_BOARD) tests/loop/$(law)') \
     'APP=tuned tests/run_loop.sh $(LAW_BOARD) tests/loop/brake' \
-    $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop tests/loop/brake tests/loop/tuned') \
+    $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop tests/loop/brake tests/loop/tuned tests/loop/long/*_noise.scn') \
     $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES) $(COVERAGE_SUITE)
 
 # tests/loop/brake holds what befalls the chip, which only the fast engine can do; both laws of the brake drive it.
 # brake_far, with the other sensor, takes all these drives, too.
-# Slow tests: in s51 what the fast engine runs in `test`, drives with their outcomes compared, those of minutes
+# Slow tests: in s51 what the fast engine runs in `test`, drives with their outcomes compared, the long ones
 # on one board; every drive of the brake with the other estimator; the long run of chip against host.
 ENGINE_TESTS := $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
 LONG_SUITES  := $(LONG_TESTS) \

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 # Drives the scenarios of the ultrasonic sensor with the image of another one, and prints a test line for
 # each stated outcome. What tests/loop/IMAGE/otherwise.txt lists must not hold, and all else must.
-#     tests/run_otherwise.sh BOARD IMAGE DIR...
+#     tests/run_otherwise.sh BOARD IMAGE DIR|FILE.scn...
 set -u
-board=${1:?usage: tests/run_otherwise.sh BOARD IMAGE DIR...}
+board=${1:?usage: tests/run_otherwise.sh BOARD IMAGE DIR|FILE.scn...}
 image=$2
 list=tests/loop/$image/otherwise.txt
 shift 2
@@ -35,8 +35,8 @@ run_one() { # BOARD IMAGE LIST SCENARIO
 export -f run_one
 
 scenarios=()
-for folder; do
-    scenarios+=("$folder"/*.scn)
+for place; do
+    if [ -d "$place" ]; then scenarios+=("$place"/*.scn); else scenarios+=("$place"); fi
 done
 grep -v '^#' "$list" | awk 'NF { print $1 }' | while read -r name; do
     [ -e "tests/loop/$name.scn" ] || echo "$list:0:$name:FAIL: there is no such drive; take it off the list"
