@@ -5,7 +5,7 @@
 . tests/lib.sh
 board=stc89c516rd
 
-# LAW SCENARIO SETTING...: gaps within 3 cm, contact within 0.05 m/s, peaks within 3 %, rms within 3 %.
+# LAW SCENARIO SETTING...: gaps within 3 cm (or $gap_m), contact within 0.05 m/s, peaks within 3 %, rms within 3 %.
 agrees() {
     local law=$1 scenario=$2 sets=() one
     shift 2
@@ -13,7 +13,7 @@ agrees() {
     build/drive run --brief --hex build/$board/"$law".ihx --board $board --scenario "$scenario" "${sets[@]}" \
         --json "$out/out.json" >"$out/log" 2>&1
     build/lab run build/lab-images/"$law".so --scenario "$scenario" "${sets[@]}" >"$out/host" 2>>"$out/log"
-    awk '
+    awk -v gap_m="${gap_m:-0.03}" '
     FNR == NR { host[$1] = $2; n++; next }
     /"outcome"/ { inside = 1 }
     /"expect"/ { inside = 0 }
@@ -26,7 +26,7 @@ agrees() {
         if (d > absolute + relative * b) print name ": " a " on the host, " b " in s51"
     }
     END {
-        differs("impact_mps", 0.05, 0); differs("min_gap_m", 0.03, 0); differs("stop_gap_m", 0.03, 0)
+        differs("impact_mps", 0.05, 0); differs("min_gap_m", gap_m, 0); differs("stop_gap_m", gap_m, 0)
         differs("peak_decel_mps2", 0.02, 0.03); differs("peak_jerk_mps3", 0.2, 0.03)
         differs("rms_accel_mps2", 0.01, 0.03)
     }' "$out/host" "$out/out.json" | tr '\n' ';'
@@ -43,11 +43,20 @@ for law in brake tuned classic; do
     faultless "${law}_noisy_4.0" "$(agrees $law tests/loop/tuned/standing_car_40.scn scenario.seed=7)"
     faultless "${law}_lead_brakes" "$(agrees $law tests/loop/tuned/lead_brakes_5mps2.scn sensor.no_echo_us=37000)"
 done
+# Behind the lidar a scenario begins with the end of the self-test, so the PWM's phase in it changes with the
+# chip's program: the gap may change by the way of one period, 10 ms at 8.5 m/s.
+for scenario in standing_car_85 sun black_car rain; do
+    faultless "brake_far_$scenario" "$(gap_m=0.085 agrees brake_far tests/loop/brake_far/$scenario.scn)"
+done
 faultless tuned_holds "$(agrees tuned tests/loop/tuned/holds.scn)"
 faultless tuned_at_the_edge "$(agrees tuned tests/loop/tuned/passing_at_the_edge.scn sensor.no_echo_us=37000)"
 
-# The command that found tables/brake_tuned.fis, as that says it, in three rounds (`make tune` does all):
-# same seed, same system; another seed, another one; and it is one that fistab takes.
+# The command that found a table, as that says it, in three rounds (`make tune` does all): same seed, same
+# system; another seed, another one; and it is one that fistab takes.
+read -ra tune <<<"$(sed -n 's/^% *\(build\/lab tune .*\) -o FILE$/\1/p' tables/brake_far.fis)"
+"${tune[@]}" --rounds 1 -o "$out/far.fis" >"$out/wrong" 2>"$out/log" || echo "fails: $(cat "$out/log")" >>"$out/wrong"
+build/fistab check "$out/far.fis" >>"$out/wrong" 2>&1
+faultless the_lidars_table_can_be_looked_for "$(head -c 300 "$out/wrong")"
 read -ra tune <<<"$(sed -n 's/^% *\(build\/lab tune .*\) -o FILE$/\1/p' tables/brake_tuned.fis)"
 "${tune[@]}" --rounds 3 -o "$out/a.fis" >"$out/wrong" 2>"$out/log" || echo "fails: $(cat "$out/log")" >>"$out/wrong"
 "${tune[@]}" --rounds 3 -o "$out/b.fis" 2>>"$out/log"
@@ -57,14 +66,30 @@ cmp -s "$out/a.fis" "$out/c.fis" && echo "the seed changes nothing" >>"$out/wron
 build/fistab check "$out/a.fis" >>"$out/wrong" 2>&1
 faultless tune_repeats_itself "$(head -c 300 "$out/wrong")"
 
-# What tables/brake_tuned.fis claims of itself, in all the runs that lab makes of each situation.
-build/lab figures build/lab-images/tuned.so >"$out/figures" 2>&1
-wrong=$(awk '
-/no impact in 60 runs up to/ { limits++; if (!($10 >= 6.4)) print "no impact up to " $10 " m/s, not 6.4" }
-/standing car, 4 m\/s:/ { jerks++; sub(/\)/, "", $8); if (!($8 <= 25)) print "jerk " $8 " m/s3 at 4 m/s" }
-/the car ahead brakes at 5 m\/s2:/ { leads++; if ($12 != 0 || $15 != 60) print $12 " impacts in " $15 " runs where the car ahead brakes at 5 m/s2" }
-END { if (limits != 1 || jerks != 1 || leads != 1) print "figures are missing" }' "$out/figures")
-faultless the_tuned_table_is_what_it_claims "$wrong"
+# What the tables claim of themselves, in all the runs that lab makes of each situation: no impact up to LIMIT
+# m/s, at most 25 m/s3 at speeds up to SMOOTH m/s, no impact where the car ahead brakes at 5 m/s2, and
+# stop-and-go behind a driver of 1 m/s2 with no more than RMS m/s2.
+claims() { # IMAGE LIMIT SMOOTH RMS
+    build/lab figures "build/lab-images/$1.so" >"$out/figures" 2>&1
+    awk -v least="$2" -v smooth="$3" -v rms="$4" '
+    /no impact in 60 runs up to/ { limits++; if (!($10 >= least)) print "no impact up to " $10 " m/s, not " least }
+    /standing car, [0-9]+ m\/s: jerk/ && $3 + 0 <= smooth { jerks++; sub(/\)/, "", $8); if (!($8 + 0 <= 25)) print "jerk " $8 " m/s3 at " $3 " m/s" }
+    /the car ahead brakes at 5 m\/s2:/ { leads++; if ($12 != 0 || $15 != 60) print $12 " impacts in " $15 " runs where the car ahead brakes at 5 m/s2" }
+    /stop-and-go, driver of 1 m\/s2:/ { drivers++; if (!($6 <= rms)) print "stop-and-go with " $6 " m/s2" }
+    END { if (limits != 1 || jerks != smooth || leads != 1 || drivers != 1) print "figures are missing" }' "$out/figures"
+}
+faultless the_tuned_table_is_what_it_claims "$(claims tuned 6.4 4 0.449)"
+with_sonar=$(awk '/stop-and-go, driver of 1 m\/s2:/ { print $6 }' "$out/figures")
+faultless the_lidars_table_is_what_it_claims "$(claims brake_far 8.5 8 "$with_sonar")"
+
+# The goal for the lidar: 60 of 60 drives at 8.5 m/s without an impact, at 25 m/s3 or less.
+for ((seed = 1; seed <= 60; seed++)); do
+    build/lab run build/lab-images/brake_far.so --scenario tests/loop/brake_far/standing_car_85.scn --seed $seed
+done | awk '
+    /^impact_mps/ { drives++; if ($2 > 0) print "an impact with " $2 " m/s in drive " drives }
+    /^peak_jerk_mps3/ && $2 > 25 { print "jerk " $2 " in drive " drives }
+    END { if (drives != 60) print drives + 0 " drives" }' >"$out/wrong"
+faultless the_lidar_stops_at_8_5_in_60_drives "$(cat "$out/wrong")"
 
 # The random search with real images: the same seed, the same drives. follow_paper hits in many of them, and a
 # perfect head does not help: that is a limit of its law.

@@ -15,7 +15,7 @@ struct image {
     void (*finish)(void);
     void (*tick)(bool override_held);
     bool (*must_stop)(uint16_t dist_mm);
-    uint16_t (*range_mm)(uint16_t raw); /* cycles of an echo, or the centimetres of a frame */
+    uint16_t (*range_mm)(uint16_t raw); /* machine cycles of an echo, or mm */
     uint8_t (*range_kind)(uint16_t dist_mm);
     /* Of a sensor that sends frames, else NULL: forgets all bytes, takes one (true: it completes a
      * good frame), and says what range_mm makes a distance of. */

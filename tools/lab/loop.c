@@ -20,7 +20,7 @@ enum {
     TRIGGER_TICKS = 6,
     /* Of a sensor that sends frames. */
     BYTE_NS = 1041667,  /* at 9600 baud */
-    PHASE_NS = 6010000, /* from a scenario's begin to the tick: the self-test ends between two */
+    PHASE_NS = 9890000, /* from the begin of a scenario, where the self-test ended, to the tick */
     LATE_NS = 15000000, /* after a reading the next one is missing */
     FRAME_WAIT_NS = 50000000 /* without a good frame is a fault: RANGE_WAIT_CS of tfluna.h */
 };
