@@ -60,7 +60,7 @@ END {
             first = word[1] == "" ? 2 : 1
             operation = word[first]
             target = word[first + 1]
-            if (operation ~ /^[la]call$/ || (operation ~ /^([las]?jmp)$/ && target !~ /^[0-9]+\$$/)) {
+            if (operation ~ /^[la]call$/ || (operation ~ /^([las]?jmp)$/ && target !~ /^([0-9]+\$|0)$/)) {
                 complain(part[1], "interrupt \047" plain "\047 calls \047" target "\047; let main do it, or write it inline")
             }
             for (j = first + 1; j <= words; j++) {

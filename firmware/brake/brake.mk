@@ -8,7 +8,7 @@ IMAGES_OF_brake := brake tuned brake_far classic first none
 BRAKE_FILES_hcsr04 := brake/closing brake/range mcu/echo mcu/uart
 BRAKE_FILES_tfluna := brake/closing_tfluna brake/range_tfluna mcu/tfluna
 
-brake_modules  = brake/main $(filter-out lib/selftest,$(LIB_MODULES)) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) mcu/round mcu/registers mcu/code
+brake_modules  = brake/main $(filter-out lib/selftest,$(LIB_MODULES)) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) mcu/round mcu/registers mcu/code mcu/ram
 BRAKE_MODULES := $(call brake_modules,$(SENSOR))
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.
@@ -17,7 +17,7 @@ BRAKE_SMALLER := GRID=80x80, LEVELS=50 or REPAIR=-1,+2 makes the table smaller
 STOP_KNOBS    := $(STOP_MM:%=-DBRAKE_STOP_MM=%U) $(RELEASE_MM:%=-DLATCH_NEAR_MM=%U)
 BRAKE_KNOBS   := -DSENSOR_$(SENSOR) $(STOP_KNOBS) $(if $(STEP_MS),-DRANGE_PERIOD_MS=$(STEP_MS)U)
 # The functions whose worst time build/BOARD/APP.bound states.
-BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_registers_restore brake_sum hal_code_test hal_stack_is_good apply show
+BRAKE_CYCLES  := control_step talk listen advance_clock brake_tick hal_registers_restore brake_sum hal_code_test hal_ram_test hal_begin_round hal_stack_is_good apply show
 
 brake_TABLE   := $(TABLE)
 brake_FISTAB   = $(BRAKE_FISTAB)

@@ -29,7 +29,7 @@ enum brake_fault {
     BRAKE_FAULT_LOST,       /* a near target vanished */
     BRAKE_FAULT_WATCHDOG,   /* this start was a watchdog reset */
     BRAKE_FAULT_TABLE,      /* self-test: check sum of all code, with the table */
-    BRAKE_FAULT_RAM,        /* self-test: pattern in RAM */
+    BRAKE_FAULT_RAM,        /* self-test: a cell of RAM */
     BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
     BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */
     BRAKE_FAULT_STATE,      /* what the decision keeps in RAM changed by itself; does not last */

@@ -38,12 +38,11 @@ static __bit is_measuring;
 #define MARK_CODE          0x3AU
 #define MARK_TALK          0x74U
 #define MARK_LISTEN        0xE8U
-#define MARK_CLOCK         0xCDU
 #define MARK_DECIDE        0x87U
 #define MARK_SHOW          0x13U
 #define FLOW_TESTED        MARKED(MARK_CHECK, MARK_CODE)
 #define FLOW_ROUND         MARKED(MARKED(FLOW_TESTED, MARK_TALK), MARK_LISTEN)
-#define FLOW_TICK          MARKED(MARKED(MARKED(FLOW_ROUND, MARK_CLOCK), MARK_DECIDE), MARK_SHOW)
+#define FLOW_TICK          MARKED(MARKED(FLOW_ROUND, MARK_DECIDE), MARK_SHOW)
 static uint8_t flow; /* marks in this round */
 
 static uint8_t sealed; /* sum_up's, when the decision or its clock last changed */
@@ -151,6 +150,15 @@ static uint8_t sum_up(void)
 static void seal(void)
 {
     sealed = sum_up();
+}
+
+/*@ requires main_is_valid && fault_lasts(fault);
+    ensures main_is_valid && phase == \old(phase) && code_test == \old(code_test);
+    ensures phase == PHASE_TEST ==> pin_stop == \old(pin_stop); */
+static void fail(uint8_t fault)
+{
+    brake_fail(fault);
+    seal();
 }
 
 /* A bit of what was sealed has turned over, or of the clock. */
@@ -284,7 +292,7 @@ static void show(void)
     flow = MARKED(flow, MARK_SHOW);
 }
 
-/*@ assigns seconds, milliseconds, flow; */
+/*@ assigns seconds, milliseconds; */
 static void advance_clock(void)
 {
     milliseconds += HAL_TICK_MS;
@@ -292,7 +300,6 @@ static void advance_clock(void)
         milliseconds = 0;
         seconds++;
     }
-    flow = MARKED(flow, MARK_CLOCK);
 }
 
 /* The next command stays in the UART until the one before it is answered. */
@@ -403,8 +410,10 @@ void main(void)
             }
 #endif
             if (hal_code_test() == HAL_CODE_BAD) {
-                brake_fail(BRAKE_FAULT_TABLE);
-                seal();
+                fail(BRAKE_FAULT_TABLE);
+            }
+            if (!hal_ram_test()) {
+                fail(BRAKE_FAULT_RAM);
             }
             flow = MARKED(flow, MARK_CODE);
         }

@@ -32,6 +32,10 @@ static volatile __bit first_level, second_level;
 static volatile uint16_t new_first_reload;
 static volatile __bit new_first_level, new_second_level, new_is_set;
 
+#ifdef WATCHDOG_none
+volatile uint8_t pwm_guard_ticks;
+#endif
+
 /* The pin at the end of a phase, and whether that was wrong at the end of the last first phase. */
 static volatile __bit pin_was, is_wrong;
 #define WRONG_PERIODS 3U /* in a row: a bit that flips is right again sooner */
@@ -68,6 +72,11 @@ void pwm_interrupt(void) __interrupt(3) __using(1)
     } else {
         is_second = 1;
         ticks++;
+#ifdef WATCHDOG_none
+        if (--pwm_guard_ticks == 0) {
+            __asm__("pop psw\n pop acc\n ljmp 0"); /* as from a reset */
+        }
+#endif
         level = second_level;
         reload = BOTH_RELOADS - first_reload;
     }

@@ -35,6 +35,12 @@ __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 #define BAUD        9600U
 #define BAUD_RELOAD (65536UL - (CLK_HZ + 16UL * BAUD) / (32UL * BAUD))
 
+#ifdef WATCHDOG_none
+/* The PWM's interrupt starts the program again after so many ticks. */
+#define PWM_GUARD_TICKS 8U
+extern volatile uint8_t pwm_guard_ticks;
+#endif
+
 /* The parts of hal_init; each file of a peripheral has one. */
 void pwm_init(void);
 void sensor_init(void);

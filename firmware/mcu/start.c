@@ -41,7 +41,11 @@ unsigned char EXTERNAL_STARTUP(void)
 {
     uint8_t cause = HAL_RESET_POWER;
 
-    EA = 0;              /* a program that ran wild may come here without a reset */
+    EA = 0; /* a program that ran wild may come here without a reset */
+    PSW = 0;
+#if defined(WATCHDOG_none)
+    __asm__("lcall _unused_interrupt"); /* its reti ends the PWM's interrupt, if it led here */
+#endif
     hal_watchdog_feed(); /* time to paint the stack again, even if it ran already */
     pin_pwm = 1;
     pin_stop = 1;
@@ -114,11 +118,7 @@ void hal_init(void)
     pwm_init();
     sensor_init();
     uart_init();
-#if defined(WATCHDOG_at89s52)
     hal_watchdog_feed(); /* the first feed starts it */
-#elif defined(WATCHDOG_stc89)
-    WDT_CONTR = 0x30;
-#endif
 }
 
 void unused_interrupt(void) __interrupt(5) __naked
@@ -178,7 +178,9 @@ void hal_watchdog_feed(void)
     WDTRST = 0xE1;
 #elif defined(WATCHDOG_stc89)
     WDT_CONTR = 0x30; /* on, restarted, 12 * 2 * 32768 clocks: 65.5 ms at 12 MHz */
-#elif !defined(WATCHDOG_none)
+#elif defined(WATCHDOG_none)
+    pwm_guard_ticks = PWM_GUARD_TICKS;
+#else
 #error the board must say WATCHDOG := none, at89s52 or stc89
 #endif
 }

@@ -9,12 +9,12 @@
 #     error_mc X     the pulse, at most so far from its share of the period; of the right ones
 #     drift_mc X     rises, at most so far from the grid
 #     late_us X      from hal_brake_set to the start of the first period with its duty, at most
-# and of each wrong period a line on stderr. A duty told less than 0.14 ms before a period may or may not
+# and of each wrong period a line on stderr. A duty told less than 140 cycles before a period may or may not
 # count for it.
 BEGIN {
     period = clk_hz / 1200
     tolerance = period / 1000 # 0.1 %
-    margin = 140 * clk_hz / 12e6
+    margin = 140
     per_us = clk_hz / 12e6
     level = 1
     first_rise = -1

@@ -11,7 +11,7 @@ image=build/$board/tests/chip/brake_flow.ihx
 make -s "BOARD=$board" "$image" build/tests/fast_pins || exit 2
 
 s51_start "$board" "$image"
-s51_until 800000
+s51_until 1000000
 first_us=$(s51_first_trigger)
 # A clear road: STOP is off.
 s51_echoes "$first_us" 1 10 none

@@ -43,7 +43,7 @@ for board in at89s52 generic8052 stc89c516rd; do
     check "${board}_each_period_is_one_duty_asked_in_time_for_it" [ "$(found wrong)" = 0 ]
     check "${board}_duties_are_right_to_a_thousandth" at_most "$(found error_mc)" "$thousandth_mc"
     check "${board}_periods_are_right_to_a_thousandth_and_never_drift" at_most "$(found drift_mc)" "$thousandth_mc"
-    check "${board}_a_new_duty_waits_10_14_ms_at_most" at_most "$(found late_us)" 10140
+    check "${board}_a_new_duty_waits_a_period_and_140_cycles_at_most" at_most "$(found late_us)" $((10000 + 140 * 12000000 / $(s51_board "$board" CLK_HZ)))
     s51_clean
 done
 finish

@@ -112,6 +112,10 @@ uint8_t hal_code_test(void)
 {
     return (uint8_t)Frama_C_unsigned_char_interval(HAL_CODE_RUNNING, HAL_CODE_BAD);
 }
+bool hal_ram_test(void)
+{
+    return any_bool();
+}
 bool hal_stack_is_good(void)
 {
     return any_bool();

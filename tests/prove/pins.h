@@ -64,6 +64,8 @@ uint8_t hal_stack_unused(void);
     ensures \result <= HAL_CODE_BAD; */
 uint8_t hal_code_test(void);
 /*@ assigns \nothing; */
+bool hal_ram_test(void);
+/*@ assigns \nothing; */
 bool hal_stack_is_good(void);
 
 #endif
