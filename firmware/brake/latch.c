@@ -9,6 +9,7 @@ static uint8_t clear_readings;     /* in a row */
 static uint8_t elsewhere_readings; /* of a target that began beyond LATCH_NEAR_MM */
 #if RANGE_IS_FAST
 static __idata uint8_t opening_readings; /* in a row, up to LATCH_OPENING_READINGS */
+static __idata uint8_t early_readings;   /* so many more do not end TRIAL or DOUBTED */
 #endif
 
 enum column {
@@ -83,6 +84,7 @@ void latch_init(void)
     elsewhere_readings = 0;
 #if RANGE_IS_FAST
     opening_readings = 0;
+    early_readings = 0;
 #endif
 }
 
@@ -190,6 +192,28 @@ static uint8_t column_of(bool is_of_target)
     return WITHIN;
 }
 
+#if RANGE_IS_FAST
+/* Whether TRIAL or DOUBTED began less than LATCH_DOUBT_READINGS ago, and this reading is none of a
+ * tracked target: it may still be of the stray echo, or miss what is there for a moment. */
+static bool is_too_early(uint8_t column)
+{
+    if (early_readings != 0) {
+        early_readings--;
+        if ((latch_state == LATCH_TRIAL || latch_state == LATCH_DOUBTED) &&
+            (column == BEYOND || column == CLEAR)) {
+            return true;
+        }
+        if (latch_state == LATCH_TRIAL && (column == WITHIN || column == NEAR)) {
+            return true;
+        }
+    }
+    if (NEXT[latch_state][column] != latch_state) {
+        early_readings = LATCH_DOUBT_READINGS - 1U;
+    }
+    return false;
+}
+#endif
+
 /*@ requires latch_is_valid;
     assigns clear_readings, elsewhere_readings;
     ensures latch_is_valid && latch_moves{Pre, Post}(is_of_target); */
@@ -200,13 +224,18 @@ void latch_take(bool is_of_target)
     if (latch_state >= LATCH_STATES) { /* a bit has turned over: the safe side */
         latch_state = LATCH_HELD;
     }
+#if RANGE_IS_FAST
+    if (is_too_early(column)) {
+        return;
+    }
+#endif
     latch_state = NEXT[latch_state][column];
 }
 
 uint8_t latch_sum(void)
 {
 #if RANGE_IS_FAST
-    return latch_state ^ clear_readings ^ elsewhere_readings ^ opening_readings;
+    return latch_state ^ clear_readings ^ elsewhere_readings ^ opening_readings ^ early_readings;
 #else
     return latch_state ^ clear_readings ^ elsewhere_readings;
 #endif

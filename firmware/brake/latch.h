@@ -21,7 +21,11 @@
  *             measures every 10 ms, for LATCH_OPENING_READINGS in a row
  *   passed    another target than that of STOP is tracked beyond 1.3 m, for LATCH_PASSED_READINGS
  *   road      the last LATCH_ROAD_READINGS were clear, every one of them
- *   fault     no echo, and no clear road either */
+ *   fault     no echo, and no clear road either
+ *
+ * A sensor that measures every 10 ms has LATCH_DOUBT_READINGS from the begin of TRIAL to the reading
+ * that confirms or doubts it, and as many from the begin of DOUBTED to the one that ends it. A
+ * tracked reading does so at once. */
 #ifndef FUZZY51_LATCH_H
 #define FUZZY51_LATCH_H
 
@@ -41,6 +45,7 @@
 #endif
 #define LATCH_OPENING_MMPS     200U
 #define LATCH_OPENING_READINGS RANGE_READINGS_MIN(1U, 6U)
+#define LATCH_DOUBT_READINGS   RANGE_READINGS_MIN(1U, 6U)
 #define LATCH_PASSED_READINGS  RANGE_READINGS(100U)
 #define LATCH_ROAD_READINGS    RANGE_READINGS(200U)
 

@@ -370,6 +370,60 @@ static void test_the_first_frame_within_a_metre_stops_at_once(void)
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
 }
 
+/* A lone frame within a metre, on a clear road, as two of the HC-SR04's periods: 120 ms. */
+static void test_a_lone_stray_frame_is_stop_for_120_ms(void)
+{
+    uint8_t readings = 0;
+
+    clear(5);
+    echo(800);
+    while (brake.stop && readings < 100) {
+        clear(1);
+        readings++;
+    }
+    TEST_ASSERT_EQUAL_UINT8(12, readings);
+}
+
+/* A stray echo of three frames is still one. */
+static void test_a_short_stray_echo_is_not_confirmed(void)
+{
+    clear(5);
+    echo(800);
+    echo(800);
+    echo(1200);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_TRIAL, latch_state);
+    clear(4);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_DOUBTED, latch_state);
+    look(RANGE_ECHO, 7000);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_DOUBTED, latch_state);
+    clear(5);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
+static void test_an_echo_60_ms_later_confirms_stop(void)
+{
+    clear(5);
+    echo(800);
+    clear(5);
+    echo(800);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+    setUp();
+    echo(800);
+    clear(7);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_DOUBTED, latch_state);
+    echo(800);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+}
+
+static void test_a_tracked_target_ends_a_stray_stop_at_once(void)
+{
+    track(3000, 0);
+    look(RANGE_ECHO, 800);
+    TEST_ASSERT_TRUE(brake.stop);
+    echo(3000);
+    TEST_ASSERT_FALSE(brake.stop);
+}
+
 /* STOP is held, and the target creeps away to 1.35 m. */
 static void stop_and_creep(void)
 {
@@ -530,6 +584,9 @@ static void test_each_byte_changes_the_sum(void)
         opening_readings ^= bit;
         TEST_ASSERT_TRUE(brake_sum() != sum);
         opening_readings ^= bit;
+        early_readings ^= bit;
+        TEST_ASSERT_TRUE(brake_sum() != sum);
+        early_readings ^= bit;
     }
 }
 
@@ -556,6 +613,10 @@ int main(void)
     RUN_TEST(test_a_stuck_reading_lasts_for_its_readings);
     RUN_TEST(test_no_time_counts_as_one_hundredth_of_a_second);
     RUN_TEST(test_the_first_frame_within_a_metre_stops_at_once);
+    RUN_TEST(test_a_lone_stray_frame_is_stop_for_120_ms);
+    RUN_TEST(test_a_short_stray_echo_is_not_confirmed);
+    RUN_TEST(test_an_echo_60_ms_later_confirms_stop);
+    RUN_TEST(test_a_tracked_target_ends_a_stray_stop_at_once);
     RUN_TEST(test_stop_ends_when_the_gap_opens_for_60_ms);
     RUN_TEST(test_a_slow_reading_between_begins_the_60_ms_anew);
     RUN_TEST(test_stop_ends_after_two_seconds_of_clear_road);
