@@ -21,11 +21,12 @@ registers=81-83,87-8D,90,98,A8,B0,B8,C8,CA-CD,D0,E0,F0
 # Drive, the least brake that it must keep, and instants, the most telling one first.
 drives=("approach 0 0.2 0.5 0.8 1.1" "follow 0 0.5 1 0.2 1.5" "stop 100 0.5 0.1 0.8 1.1" "fault 60 0.7 0.4 1 1.2" "start 0 -0.08 -0.14 -0.12 -0.02")
 
+# Each drive draws other bits of the code and of the program counter.
 fly() { # BOARD DRIVE LEAST WHAT AT...
     local board=$1 drive=$2 least=$3 what=$4 stack
     shift 4
     stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' "$out/$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
-    local options=(--ram=00-FF)
+    local options=(--ram=00-FF --seed="$(cksum <<<"$drive" | cut -d " " -f 1)")
     [[ $what != bits && $what != space ]] || options+=("--sfr=$registers")
     [ "$what" != space ] || options+=("--window=$window" --sample=200)
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
