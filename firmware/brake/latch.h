@@ -23,9 +23,9 @@
  *   road      the last LATCH_ROAD_READINGS were clear, every one of them
  *   fault     no echo, and no clear road either
  *
- * A sensor that measures every 10 ms has LATCH_DOUBT_READINGS from the begin of TRIAL to the reading
- * that confirms or doubts it, and as many from the begin of DOUBTED to the one that ends it. A
- * tracked reading does so at once. */
+ * A sensor that measures every 10 ms has LATCH_DOUBT_READINGS from the begin of TRIAL to the
+ * reading that confirms or doubts it, and as many from the begin of DOUBTED to the one that ends
+ * it. A tracked reading does so at once. */
 #ifndef FUZZY51_LATCH_H
 #define FUZZY51_LATCH_H
 

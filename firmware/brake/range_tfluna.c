@@ -17,7 +17,7 @@ uint8_t range_taken;
 
 /* The oldest bytes in the ring, up to eight: so many were looked at, and that is their sum. */
 #define SUMMED_BYTES (FRAME_BYTES - 1U)
-static uint8_t looked_at, sum;
+static uint8_t looked_at, looked_sum;
 
 /* Whether they are a frame if the next byte is their sum, and what it says then. */
 static __bit is_frame;
@@ -31,7 +31,7 @@ void range_restart(void)
 {
     range_taken = range_came;
     looked_at = 0;
-    sum = 0;
+    looked_sum = 0;
 }
 
 /* 64 m and more count as 65535 mm. */
@@ -70,16 +70,16 @@ bool range_take(void)
     if (looked_at < SUMMED_BYTES) {
         looked_at++;
     } else {
-        if (is_frame && byte == sum) {
+        if (is_frame && byte == looked_sum) {
             range_taken += FRAME_BYTES;
             looked_at = 0;
-            sum = 0;
+            looked_sum = 0;
             return true;
         }
-        sum -= BYTE(0);
+        looked_sum -= BYTE(0);
         range_taken++;
     }
-    sum += byte;
+    looked_sum += byte;
     is_frame = false;
     if (looked_at == SUMMED_BYTES && BYTE(0) == HEAD && BYTE(1U) == HEAD) {
         is_frame = true;

@@ -218,10 +218,10 @@ has_row() { # PAGE START: PAGE has a table row that begins so
 knob_of() { # FILE KNOB
     sed -nE "s/^$2 *:= *//p" "$1"
 }
-# What tools/memory.sh says of an image on a board, as a row of docs/boards.md.
+# What tools/memory.sh says of an image on a board, rounded up, as a row of docs/boards.md.
 size_row() { # APP BOARD
     tools/memory.sh "$2" "build/$2" "$1" | awk -v app="$1" -v board="$2" '
-        { sub(/.* code +/, ""); code = $1; sub(/.* RAM +/, ""); printf "| `%s` | `%s` | %.1f KB | %d bytes |\n", app, board, code / 1024, $1 }'
+        { sub(/.* code +/, ""); code = $1; sub(/.* RAM +/, ""); printf "| `%s` | `%s` | %d KB | %d bytes |\n", app, board, (code + 1023) / 1024, int(($1 + 9) / 10) * 10 }'
 }
 rows_of_boards() {
     local file
