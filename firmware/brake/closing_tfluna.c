@@ -69,19 +69,19 @@ static uint16_t difference_2mmps(void)
 {
     uint16_t mm = (uint16_t)(mark_mm - closing_place_mm);
     uint8_t index = (uint8_t)(since_mark_cs - CLOSING_SPAN_MIN_CS);
-    __bit is_opening = (int16_t)mm < 0;
+    __bit is_away = (int16_t)mm < 0;
 
     if (index >= RATES_COUNT) {
         index = RATES_COUNT - 1U;
     }
-    if (is_opening) {
+    if (is_away) {
         mm = (uint16_t)(0U - mm);
     }
     if (mm > MOVED_MAX_MM) {
         mm = MOVED_MAX_MM;
     }
     mm = mul_hi_u16((uint16_t)(mm << 4), RATES[index]);
-    if (is_opening) {
+    if (is_away) {
         mm = (uint16_t)(0U - mm);
     }
     closing_span_cs = since_mark_cs;
@@ -145,9 +145,11 @@ void closing_take_smooth(void)
     } else if (off_4mm < -OFF_MAX_4MM) {
         off_4mm = -OFF_MAX_4MM;
     }
+    /* cppcheck-suppress shiftNegativeLHS ; both compilers keep the sign */
     smooth_4mm = (uint16_t)(foreseen_4mm - (uint16_t)((int16_t)(off_4mm * 2 + off_4mm) >> 4));
     /* 1/64 of it in 1/100 s is 25 / 64 mm/s for each 1/4 mm, 25 / 128 units. */
     off_4mm = (int16_t)(off_4mm * 16 + off_4mm * 8 + off_4mm);
+    /* cppcheck-suppress shiftNegativeLHS ; both compilers keep the sign */
     smooth_2mmps += (uint16_t)(off_4mm >> 7);
     show(&closing_smooth, smooth_2mmps);
 }

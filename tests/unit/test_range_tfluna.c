@@ -204,7 +204,9 @@ static void test_a_lost_byte_costs_one_frame(void)
         range_restart();
         make(300, 1000, 2272);
         frames = feed(0, lost);
-        frames += feed((uint8_t)(lost + 1U), (uint8_t)(FRAME_BYTES - 1U - lost));
+        if (lost != FRAME_BYTES - 1U) {
+            frames += feed((uint8_t)(lost + 1U), (uint8_t)(FRAME_BYTES - 1U - lost));
+        }
         TEST_ASSERT_EQUAL_UINT8(0, frames);
         make(310, 1000, 2272);
         frames = feed(0, FRAME_BYTES);
