@@ -171,15 +171,12 @@ static void begin_line(void)
         telemetry_values[0].text = STEPS[step].text;
         telemetry_say(STEP);
         break;
-    case SAY_READING:
+    default: /* SAY_READING */
         telemetry_values[0].number = dist_mm;
         if (reading != RANGE_ECHO) {
             telemetry_values[0].text = READINGS[reading];
         }
         telemetry_say(reading == RANGE_ECHO ? DISTANCE : REMARK);
-        break;
-    default:
-        break;
     }
 }
 

@@ -3,7 +3,8 @@
  * change dump with pin events and writes one with what the watched pins and cells do.
  *     fast_pins PART CLK_HZ IMAGE.ihx DIR CELL...
  * PART is the board's WATCHDOG. DIR has the FIFOs pins and keys; DIR/out and DIR/uart are written.
- * A CELL, iram[0x2f], is a byte of internal RAM. As in s51, times restart at 0 with a watchdog
+ * A CELL, iram[0x2f], is a byte of internal RAM. With S51_COVERS in the environment it also writes
+ * DIR/covered, the address of each instruction that was run. As in s51, times restart at 0 with a watchdog
  * reset, and so do those of the events that follow. */
 #include "diag.h"
 #include "hexfile.h"
@@ -27,6 +28,7 @@ struct bench {
     uint8_t cells[MAX_CELLS], values[MAX_CELLS];
     int cell_count;
     int set_cell; /* the byte of RAM that the events change, or -1 */
+    uint8_t covered[MCS52_CODE_BYTES / 8];
 };
 
 /* --- what the chip does ------------------------------------------------------------------- */
@@ -120,7 +122,9 @@ static void change(struct bench *bench, const char *line, double time_ns)
 {
     uint64_t now = mcs52_cycles(bench->chip);
 
-    if (line[0] == 'b') {
+    if (line[0] == 'b' && strchr(line, '*') != NULL) {
+        mcs52_jump(bench->chip, (uint16_t)strtoul(line + 1, NULL, 2));
+    } else if (line[0] == 'b') {
         mcs52_ram(bench->chip)[bench->set_cell] = (uint8_t)strtoul(line + 1, NULL, 2);
         note_cells(bench);
     } else if (line[1] == '!' || line[1] == '@') {
@@ -177,8 +181,23 @@ static void declare(struct bench *bench, char **cells)
     fflush(bench->out);
 }
 
+static void write_covered(const struct bench *bench)
+{
+    FILE *out = fopen("covered", "w");
+
+    for (unsigned address = 0; out != NULL && address < MCS52_CODE_BYTES; address++) {
+        if (bench->covered[address / 8] >> address % 8 & 1) {
+            fprintf(out, "%04X\n", address);
+        }
+    }
+    if (out == NULL || fclose(out) != 0) {
+        exit(diag_error("covered", 0, "fast_pins cannot write this file"));
+    }
+}
+
 int main(int count, char **words)
 {
+    static const uint8_t hang[] = {0x80, 0xFE}; /* sjmp to itself, where no image has code */
     static struct hexfile hex;
     struct bench bench = {.set_cell = -1, .cell_count = count - 5};
     const struct mcs52_outside outside = {
@@ -199,8 +218,15 @@ int main(int count, char **words)
         return diag_error(words[4], 0, "fast_pins cannot use this folder");
     }
     mcs52_load(bench.chip, 0, hex.code, sizeof hex.code);
+    mcs52_load(bench.chip, MCS52_CODE_BYTES - sizeof hang, hang, sizeof hang);
     declare(&bench, words + 5);
+    if (getenv("S51_COVERS") != NULL) {
+        mcs52_cover(bench.chip, bench.covered);
+    }
     play(&bench);
+    if (getenv("S51_COVERS") != NULL) {
+        write_covered(&bench);
+    }
     mcs52_destroy(bench.chip);
     fclose(bench.uart);
     return fclose(bench.out) == 0 ? EXIT_FINE : EXIT_INPUT;

@@ -8,6 +8,8 @@
 #     s51_pin 700000 echo 1               at 700,000 us the echo line goes high; times only grow
 #     s51_set 2752 0x54                   half a microsecond after 2,752 us the byte of RAM becomes 0x54 that
 #                                         S51_SETS='iram[0x50]' s51_start named
+#     s51_jump 800000 0x38e               half a microsecond after 800,000 us the program goes on at this
+#                                         address, where it hangs if that is 0xfffe; fast engine only
 #     s51_type "s"                        the UART receives this, now; only after S51_TYPES=1 s51_start,
 #                                         which takes twice the time
 #     s51_until 900000                    simulates up to 900,000 us
@@ -16,6 +18,8 @@
 #     s51_stop                            ends it
 #     s51_edges NAME                      "time_us value time_us_since_reset" of each write
 #     $s51_uart                           the file of what the UART sent
+#     $s51_dir/covered                    after s51_stop, if S51_COVERS=1 is exported: the address of each
+#                                         instruction that was run, one a line; fast engine only
 #
 # The simulator stands still whenever it has eaten all pin events; so all is exact and repeats to the byte.
 
@@ -83,11 +87,15 @@ s51_pin() { # TIME_US echo|override LEVEL
     printf '#%d500\n%d%s\n' "$1" "$3" "$id" >&"$s51_pins"
 }
 
+s51_bits() { # COUNT NUMBER
+    local bits='' k
+    for ((k = $1 - 1; k >= 0; k--)); do bits+=$(($2 >> k & 1)); done
+    echo "$bits"
+}
+
 # s51 drops the top bit of a vector, so this one has 16.
 s51_set() { # TIME_US BYTE
-    local byte=$(($2)) bits='' k
-    for k in 7 6 5 4 3 2 1 0; do bits+=$((byte >> k & 1)); done
-    printf '#%d500\nb00000000%s &\n' "$1" "$bits" >&"$s51_pins"
+    printf '#%d500\nb%s &\n' "$1" "$(s51_bits 16 "$2")" >&"$s51_pins"
 }
 
 # Echoes of a target at DIST_MM (none: the sensor's 38 ms for a clear road), as answers to the triggers
@@ -100,6 +108,10 @@ s51_echoes() { # FIRST_US FROM TO DIST_MM|none
         s51_pin "$start_us" echo 1
         s51_pin "$((start_us + width_us))" echo 0
     done
+}
+
+s51_jump() { # TIME_US ADDRESS
+    printf '#%d500\nb%s *\n' "$1" "$(s51_bits 16 "$2")" >&"$s51_pins"
 }
 
 s51_type() {
@@ -185,9 +197,11 @@ s51_steps_cell() { # BOARD APP
 
 s51_stop() {
     trap - EXIT
-    kill "$s51_pid" 2>/dev/null || true
+    # fast_pins ends with its input, s51 does not.
+    exec {s51_pins}>&-
+    [ "${ENGINE:-s51}" = fast ] || kill "$s51_pid" 2>/dev/null || true
     wait "$s51_pid" 2>/dev/null || true
-    exec {s51_pins}>&- {s51_console}>&- {s51_keys}>&-
+    exec {s51_console}>&- {s51_keys}>&-
 }
 
 s51_clean() {

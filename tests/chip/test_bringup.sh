@@ -4,6 +4,7 @@
 # the last step measures. The text is the one that docs/wiring.md has.
 . tests/lib.sh
 . tests/chip/lib.sh
+. tests/chip/walk_bringup.sh
 export ENGINE=${ENGINE:-fast}
 make -s build/tests/fast_pins || exit 2
 
@@ -30,48 +31,20 @@ wanted_levels='100 100 100 100
 50 0 100 100
 100 100 100 100'
 wanted_steps=$(sed -n 's/^| `\(# step [^`]*\)`.*/\1/p' docs/wiring.md)
-# Echoes of 1,234 mm, of a clear road and of 1 cm; none; and then one that does not end.
-widths_us=(7191 38000 58 0)
+# What the echoes of walk_bringup.sh give.
 wanted_readings="dist_mm=1234
 # echo: no target within 6 m
 # echo: nearer than 2 cm, or noise
 # echo: never came; look at TRIGGER, ECHO and the sensor's supply
 # echo: never ends: the pin stays high; is the sensor connected?"
 
+at_step() { # TIME_US
+    levels+=${levels:+$'\n'}$(levels_at "$1")
+}
+
 run() { # BOARD: leaves `levels`, a line a step, and the file $said
-    local now=900000 step first k rise_us
-    S51_TYPES=1 s51_start "$1" "build/$1/bringup.ihx"
-    s51_pin 1000 echo 0
-    s51_until $now
-    levels=$(levels_at $now)
-    for step in 1 2 3 4 5 6 7; do
-        if [ $((step % 2)) -eq 1 ]; then
-            s51_type $'n\n'
-        else
-            # It bounces, at both ends.
-            s51_pin $((now + 1000)) override 0
-            s51_pin $((now + 4000)) override 1
-            s51_pin $((now + 5000)) override 0
-            s51_pin $((now + 105000)) override 1
-            s51_pin $((now + 109000)) override 0
-            s51_pin $((now + 111000)) override 1
-        fi
-        now=$((now + 250000))
-        s51_until $now
-        levels+=$'\n'$(levels_at $now)
-    done
-    s51_until $((now + 600000))
-    first=$(s51_edges port1_value.2 | awk -v from="$now" '$2 == 1 && $1 > from { printf "%d", $1; exit }')
-    for k in "${!widths_us[@]}"; do
-        rise_us=$((first + 500000 * (k + 1) + 600))
-        [ "${widths_us[k]}" -eq 0 ] || s51_pin $rise_us echo 1
-        [ "${widths_us[k]}" -eq 0 ] || s51_pin $((rise_us + widths_us[k])) echo 0
-    done
-    s51_pin $((rise_us + 500000)) echo 1
-    s51_until $((rise_us + 800000))
-    s51_type n
-    s51_until $((rise_us + 950000))
-    s51_stop
+    levels=''
+    walk_bringup "$1" "build/$1/bringup.ihx"
     said=$out/$1
     tr -d '\r' <"$s51_uart" >"$said"
     s51_clean

@@ -17,6 +17,10 @@ $(COVERAGE_TESTS): $(COVERAGE)/unit/%: $(COVERAGE)/tests/unit/%.o $(COVERAGE)/un
 	@mkdir -p $(@D)
 	$(Q)$(CC) --coverage $^ -lm -o $@
 
-COVERAGE_SUITE := 'tests/coverage/test_coverage.sh $(COVERAGE_TESTS)'
+# And the instructions that only the chip has: of each controller on each board, the default board first.
+COMMA := ,
+COVERED_BOARDS := $(subst $() ,$(COMMA),$(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS))) $(OTHER_BOARDS))
+COVERAGE_SUITE := 'tests/coverage/test_coverage.sh $(COVERAGE_TESTS)' \
+    'tests/coverage/test_chip_coverage.sh $(strip $(COVERED_BOARDS)) $(CONTROLLERS) brake_far'
 
 -include $(wildcard $(COVERAGE)/*/*/*.d)

@@ -1,0 +1,201 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# Each instruction of firmware/mcu and of the main loops is run in the fast simulator, on each board that has it:
+#     tests/coverage/test_chip_coverage.sh BOARD,... IMAGE...
+# Images that a board does not hold are left out. The drives are what happens seldom, below, and those of tests/loop.
+# An instruction needs to be run in one of the images that have it, and an image is driven until nothing of it is
+# left. A line with an instruction that no program reaches says so beside it or just above it, after "unreached:",
+# with the reason. Leaves build/coverage/chip.json, which the report shows.
+. tests/lib.sh
+. tests/chip/lib.sh
+. tests/chip/walk_bringup.sh
+export ENGINE=fast S51_COVERS=1
+coverage=build/coverage
+mkdir -p "$coverage"
+
+# --- what can be run ----------------------------------------------------------------------------
+
+# What seldom happens, in each controller: a bit of RAM is stuck; a bit flips in the byte that tells a full stack, or in
+# the mode of the UART; interrupts come that nobody uses, or too many.
+seldom() {
+    echo flip.kind=low flip.place=ram flip.address=0x50 flip.bit=0 flip.at_cycle=0
+    echo flip.place=ram flip.address=0xFF flip.bit=0 flip.at_s=0.5
+    echo flip.place=sfr flip.address=0x98 flip.bit=4 flip.at_s=0.5
+    echo flip.place=sfr flip.address=0xA8 flip.bit=5 flip.at_s=0.5 flip2.place=sfr flip2.address=0xC8 flip2.bit=7 flip2.at_s=0.5
+    echo flip.kind=interrupts flip.at_s=0.5 flip.for_s=0.015
+}
+
+# The ways to drive an image, one a line: a function of those below and its arguments.
+ways() { # CONTROLLER
+    local folder=tests/loop/$1 usual
+    case $1 in
+    bringup)
+        printf '%s\n' walk 'walk table' 'walk ram'
+        return
+        ;;
+    brake)
+        folder=tests/loop
+        usual=$folder/standing_car_3mps.scn
+        printf '%s\n' "drive $usual" "type_keys _dropped" "type_keys _seconds" high_line \
+            "jump $(address_of brake/main _main)" "flip_cell tests/loop/constant_gap_noise.scn brake/brake _brake 3" "flip_cell tests/loop/constant_gap_noise.scn mcu/code _state 6"
+        ;;
+    *)
+        usual=$folder/frame_corrupt.scn
+        printf '%s\n' "drive $usual" 'jump 0' 'jump 0xFFFE' "count_up frames/frames _seconds"
+        ;;
+    esac
+    seldom | sed "s|^|drive $usual |"
+    echo "flip_table $usual"
+    printf 'drive %s\n' "$folder"/*.scn
+    [ "$1" != brake ] || printf 'drive %s\n' tests/loop/brake/*.scn
+}
+
+drive() { # SCENARIO KEY=VALUE...
+    local scenario=$1
+    shift
+    build/drive run --brief --board "$board" --hex "$hex" --scenario "$scenario" "${@/#/--set=}" --coverage "$out/covered" >"$out/drive.log" 2>&1
+}
+
+# A bit flips in the last but one byte of a variable: of the sums that code.c has learned by then, for one.
+flip_cell() { # SCENARIO MODULE VARIABLE BYTES
+    drive "$1" flip.place=ram "flip.address=$(($(address_of "$2" "$3") + $4 - 2))" flip.bit=0 flip.at_s=5
+}
+address_of() { # MODULE LABEL
+    awk -v label="$2:" '$NF == label { print "0x" $1; exit }' "build/$image/$1.rst"
+}
+
+# A bit of the table; the self-test finds it.
+flip_table() { # SCENARIO
+    local hex=$hex
+    flipped_table
+    drive "$1"
+}
+flipped_table() { # sets hex
+    awk -v "address=$(($(address_of lib/lut _lut_out1) + 100))" -f tests/chip/flip_byte.awk "$hex" >"$out/flipped.ihx"
+    hex=$out/flipped.ihx
+}
+
+at_step() { :; }
+walk() { # "", table or ram
+    local hex=$hex
+    [ "${1:-}" != table ] || flipped_table
+    if [ "${1:-}" = ram ]; then
+        # The key comes while the table is being tested, too early.
+        S51_TYPES=1 S51_SETS='iram[0x50]' s51_start "$board" "$hex"
+        for ((time_us = 500; time_us < 3000; time_us++)); do s51_set $time_us 0; done
+        s51_until 20000
+        s51_type n
+        s51_until 1500000
+        s51_stop
+    else
+        walk_bringup "$board" "$hex"
+    fi
+    keep_covered
+}
+keep_covered() {
+    cp "$s51_dir/covered" "$out"
+    s51_clean
+}
+
+# All commands, each after the answer to the one before, while a counter of two bytes overflows the lower one.
+type_keys() { # COUNTER
+    local key now=800000 cell
+    cell=iram[$(address_of brake/main "$1")]
+    S51_SETS=$cell S51_TYPES=1 s51_start "$board" "$hex"
+    s51_set 700000 255
+    s51_until $now
+    for key in '?' s x t $'t\r\n' v; do
+        s51_type "$key"
+        now=$((now + 150000))
+        s51_until $now
+    done
+    s51_stop
+    keep_covered
+}
+
+high_line() {
+    s51_start "$board" "$hex"
+    s51_pin 2 echo 1
+    s51_until 800000
+    s51_stop
+    keep_covered
+}
+
+# The lower byte of a counter overflows.
+count_up() { # MODULE COUNTER
+    S51_SETS="iram[$(address_of "$1" "$2")]" s51_start "$board" "$hex"
+    s51_set 700000 255
+    s51_until 2000000
+    s51_stop
+    keep_covered
+}
+
+# The program runs wild, to this place.
+jump() { # ADDRESS
+    s51_start "$board" "$hex"
+    s51_jump 800000 "$1"
+    s51_until 1600000
+    s51_stop
+    keep_covered
+}
+
+# --- what is left -------------------------------------------------------------------------------
+
+boards=${1//,/ }
+shift
+for board in $boards; do
+    for image in "$@"; do
+        find "build/$board" -maxdepth 2 -name "$image.lk"
+    done
+done | sed 's/\.lk$//; s/^build.//' | awk '!seen[$0]++' >"$out/images"
+while read -r image; do
+    sed -n 's/\.rel$/.rst/p' "build/$image.lk"
+done <"$out/images" | xargs awk -f tests/coverage/instructions.awk >"$out/instructions"
+
+# Those whose line says why.
+grep -rnE 'unreached: ' firmware/mcu firmware/*/main.c firmware/frames/frames.c |
+    awk -F: '{ for (line = $2; line <= $2 + 2; line++) print $1 ":" line }' >"$out/explained"
+awk -F '\t' 'FILENAME ~ /explained$/ { explained[$0]; next }
+    { split($3, part, " ") } part[1] in explained { print $3 }' "$out/explained" "$out/instructions" | sort -u >"$out/reached"
+
+# The image, its address and its name of each instruction that is left, of an image, of a board's or of all.
+left() { # [BOARD/[IMAGE]]
+    awk -F '\t' -v of="${1:-}" 'FILENAME !~ /instructions$/ { done[$0]; next }
+        index($1 "/", of) == 1 && !($3 in done)' "$out/reached" "$out/instructions"
+}
+reach() {
+    awk -F '\t' -v image="$image" 'FILENAME ~ /covered$/ { ran[$0]; next } FILENAME ~ /reached$/ { done[$0]; next }
+        $1 == image && $2 in ran && !($3 in done) { print $3 }' "$out/covered" "$out/reached" "$out/instructions" >"$out/new"
+    cat "$out/new" >>"$out/reached"
+}
+
+# Runs the way of this number of each image of a board that has something left. Fails if there was none.
+run_ways() { # NUMBER
+    local words driven=1
+    while read -r image; do
+        left "$image/" | grep -q . || continue
+        hex=build/$image.ihx
+        words=$(ways "$(sed -n 's|.*/\([a-z]*\)/main\.rel$|\1|p' "build/$image.lk")" | sed -n "${1}p")
+        [ -n "$words" ] || continue
+        driven=0
+        : >"$out/covered"
+        # shellcheck disable=SC2086  # the words of a way
+        $words </dev/null
+        reach
+        echo "$image: $words: $(wc -l <"$out/new") new" >>"$out/log"
+    done < <(left "$board/" | cut -f 1 | uniq)
+    return $driven
+}
+for board in $boards; do
+    way=1
+    while run_ways $way; do
+        way=$((way + 1))
+    done
+done
+
+left >"$out/left"
+cut -f 3 "$out/instructions" | sort -u >"$out/names"
+for file in $(sed 's/:.*//' "$out/names" | sort -u); do
+    faultless "$file" "$(awk -F '\t' -v file="$file:" 'index($3, file) == 1 { print $3 " (at " $2 " of " $1 ") is run by no drive;" }' "$out/left")"
+done
+finish
