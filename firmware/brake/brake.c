@@ -240,7 +240,7 @@ static void demand_for_target(void)
 /*@ requires target_is_valid && range_reading.kind <= RANGE_DEAD_ZONE;
     assigns target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth,
             echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, is_clear, clears,
-            rate, nearer_mm, smooth_mm, smooth_2mmps;
+            CLOSING_TAKEN;
     ensures target_is_valid;
     ensures \result < BRAKE_FAULT_WATCHDOG;
     ensures range_reading.kind > RANGE_NO_TARGET ==> \result != BRAKE_FAULT_NONE;
@@ -272,7 +272,7 @@ void brake_expect(uint8_t elapsed_cs)
             fault_state, fault_code, silence_cs, good_readings,
             target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth,
             echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, is_clear, clears,
-            rate, nearer_mm, smooth_mm, smooth_2mmps;
+            CLOSING_TAKEN;
     ensures brake_is_valid && brake_is_settled;
     ensures kind > RANGE_NO_TARGET ==> !is_believed;
     ensures is_within <==> kind == RANGE_ECHO && dist_mm <= BRAKE_STOP_MM;
@@ -341,7 +341,7 @@ static bool is_urgent(void)
 /*@ requires brake_is_valid && brake_is_settled;
     assigns brake.brake_pct, brake.stop, brake.state, brake.warn, is_within, latch_state,
             clear_readings, elsewhere_readings, left_readings,
-            closing_smooth, closing_difference, smooth_mm, smooth_2mmps;
+            closing_smooth, closing_difference, CLOSING_FINISHED;
     ensures brake_is_valid && brake_is_settled && !is_within;
     ensures !brake.overridden ==> latch_moves{Pre, Post}(is_believed);
     ensures brake.overridden ==> latch_state == \old(latch_state) &&

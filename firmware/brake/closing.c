@@ -12,6 +12,11 @@ static uint16_t rate;      /* of the time between them, out of RATES */
 static uint16_t smooth_mm; /* alpha-beta's place of the target, and its speed */
 static uint16_t smooth_2mmps;
 
+/* What closing_take, closing_take_second, and later both estimators change of them, for the contracts of target.c and
+ * brake.c. */
+#define CLOSING_TAKEN    rate, nearer_mm, smooth_mm, smooth_2mmps
+#define CLOSING_FINISHED smooth_mm, smooth_2mmps
+
 /* 1 mm in n/100 s is 100 / n mm/s, that is 50 / n units. Times 65536 / 16 for n = 5..31. */
 #define RATE(n) ((3276800UL / 16U + (n) - 1U) / (n))
 static const uint16_t __code RATES[] = {

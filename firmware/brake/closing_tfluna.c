@@ -22,6 +22,11 @@ static __idata uint16_t foreseen_4mm; /* as closing_foreseen_mm, in 1/4 mm */
 static __idata uint16_t smooth_4mm;   /* alpha-beta's place of the target, and its speed */
 static __idata uint16_t smooth_2mmps;
 
+/* What closing_take, closing_take_second, and later both estimators change of them, for the contracts of target.c and
+ * brake.c. */
+#define CLOSING_TAKEN    mark_mm, since_mark_cs, smooth_4mm, smooth_2mmps
+#define CLOSING_FINISHED mark_mm, since_mark_cs, closing_span_cs, smooth_4mm, smooth_2mmps
+
 /* 1 mm in n/100 s is 100 / n mm/s, that is 50 / n units. Times 65536 / 16 for n = 6..31. */
 #define RATE(n) ((3276800UL / 16U + (n) - 1U) / (n))
 static const uint16_t __code RATES[] = {
@@ -38,7 +43,7 @@ static const uint16_t __code RATES[] = {
 /* So far from where it was foreseen a place counts for alpha-beta, 1/4 mm. */
 #define OFF_MAX_4MM 1280
 
-static void show(struct closing_speed __data *speed, uint16_t speed_2mmps)
+static void show_speed(struct closing_speed __data *speed, uint16_t speed_2mmps)
 {
     uint16_t mmps = (uint16_t)(speed_2mmps << 1);
 
@@ -54,8 +59,8 @@ static void show(struct closing_speed __data *speed, uint16_t speed_2mmps)
 void closing_restart(void)
 {
     smooth_2mmps = 0;
-    show(&closing_smooth, 0);
-    show(&closing_difference, 0);
+    show_speed(&closing_smooth, 0);
+    show_speed(&closing_difference, 0);
 }
 
 void closing_take(uint16_t dist_mm, uint8_t span_cs)
@@ -97,7 +102,7 @@ void closing_take_second(uint16_t dist_mm, uint8_t span_cs)
     closing_take(dist_mm, span_cs);
     smooth_4mm = (uint16_t)(dist_mm << 2);
     smooth_2mmps = difference_2mmps();
-    show(&closing_smooth, smooth_2mmps);
+    show_speed(&closing_smooth, smooth_2mmps);
     closing_difference.closing_mmps = closing_smooth.closing_mmps;
     closing_difference.opening_mmps = closing_smooth.opening_mmps;
 }
@@ -132,7 +137,7 @@ void closing_expect(uint8_t span_cs)
 void closing_take_difference(void)
 {
     if (since_mark_cs >= CLOSING_SPAN_MIN_CS) {
-        show(&closing_difference, difference_2mmps());
+        show_speed(&closing_difference, difference_2mmps());
     }
 }
 
@@ -151,7 +156,7 @@ void closing_take_smooth(void)
     off_4mm = (int16_t)(off_4mm * 16 + off_4mm * 8 + off_4mm);
     /* cppcheck-suppress shiftNegativeLHS ; both compilers keep the sign */
     smooth_2mmps += (uint16_t)(off_4mm >> 7);
-    show(&closing_smooth, smooth_2mmps);
+    show_speed(&closing_smooth, smooth_2mmps);
 }
 
 uint8_t closing_sum(void)

@@ -237,8 +237,8 @@ static bool is_stuck(void)
 }
 
 /*@ requires target_is_valid;
-    assigns echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, clears, rate,
-            nearer_mm, smooth_mm, smooth_2mmps;
+    assigns echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, clears,
+            CLOSING_TAKEN;
     ensures target_is_valid;
     ensures \result == BRAKE_FAULT_NONE ==> closing_place_mm == dist_mm && since_cs == 0; */
 uint8_t target_echo(uint16_t dist_mm)

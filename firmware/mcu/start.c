@@ -46,7 +46,6 @@ unsigned char EXTERNAL_STARTUP(void)
 #if defined(WATCHDOG_none)
     __asm__("lcall _unused_interrupt"); /* its reti ends the PWM's interrupt, if it led here */
 #endif
-    hal_watchdog_feed(); /* time to paint the stack again, even if it ran already */
     pin_pwm = 1;
     pin_stop = 1;
     pin_lamp = 1;
@@ -65,6 +64,9 @@ unsigned char EXTERNAL_STARTUP(void)
         cause = HAL_RESET_WATCHDOG;
     }
     PCON = (uint8_t)(cause << CAUSE_SHIFT);
+    /* Time to paint the stack again, even if the watchdog ran already. It clears the STC89's
+     * flag. */
+    hal_watchdog_feed();
     return 0;
 }
 

@@ -26,6 +26,7 @@ void app_init(void)
 
 void app_item(void)
 {
+    /* unreached: its frames have no items */
 }
 
 bool app_read(void)

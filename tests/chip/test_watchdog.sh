@@ -41,4 +41,16 @@ check "the_title_names_the_watchdog" [ -s "$s51_dir/after" ]
 check "it_starts_in_fault_at_60_percent" grep -aqE '^1,[0-9]+,,0,0,0,60,FAULT,' "$s51_dir/after"
 check "three_good_readings_release_it" grep -aqE ',0,RELEASED,0' "$s51_dir/after"
 s51_clean
+
+# The STC89's tells by a flag that it was it. s51 does not have that watchdog.
+board=stc89c516rd
+image=build/$board/brake.ihx
+make -s "BOARD=$board" "$image" build/tests/fast_pins || exit 2
+ENGINE=fast
+s51_start "$board" "$image"
+s51_jump 800000 0xFFFE
+s51_until 1200000
+s51_stop
+check "an_STC89_is_reset_once_and_knows_it" [ "$(grep -ac 'reset=watchdog' "$s51_uart")" -eq 1 ]
+s51_clean
 finish

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The brake, with the published law or, by eva_tuned.c, with the tuned one, whatever its sensor, its driver and its serial line do: no run-time error, for ever. */
+/* The brake, with the published law, or with the tuned one by eva_tuned.c and, behind the lidar, by eva_brake_far.c,
+ * whatever its sensor, its driver and its serial line do: no run-time error, for ever. */
 #include "hal.h"
 #include "machine.h"
 
@@ -11,8 +12,13 @@
 #include "fixed.c"
 #include "lamp.c"
 #include "any_line.h"
+#ifdef SENSOR_tfluna
+#include "range_tfluna.c"
+#include "closing_tfluna.c"
+#else
 #include "range.c"
 #include "closing.c"
+#endif
 #include "target.c"
 #include "latch.c"
 #include "fault.c"

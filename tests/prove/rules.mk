@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Proofs by Frama-C: `make prove`. The units are C files of tests/prove; prove.sh says what each kind is. Each
-# controller is proved with the table that it ships with, the brake with that of the tuned law, too.
-PROVE_TABLES := $(patsubst %,build/prove/%/lut_table.h,$(CONTROLLERS) tuned)
+# controller is proved with the table that it ships with, the brake with those of the tuned law, too.
+PROVED_IMAGES := $(CONTROLLERS) tuned brake_far
+PROVE_TABLES  := $(PROVED_IMAGES:%=build/prove/%/lut_table.h)
 define prove_table
 build/prove/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
 	@mkdir -p $$(@D)
 	$$(Q)build/fistab table $$< --name=lut $(filter-out --encoding=%,$($(1)_FISTAB)) -o $$@
 endef
-$(foreach name,$(CONTROLLERS) tuned,$(eval $(call prove_table,$(name))))
+$(foreach name,$(PROVED_IMAGES),$(eval $(call prove_table,$(name))))
 
 # The machine, as a module for Frama-C.
 build/prove/mcs51.cmxs: tests/prove/mcs51.ml
