@@ -27,6 +27,11 @@ static __idata uint8_t strength_kind; /* RANGE_ECHO: as strong as an echo */
 #define BYTE(offset)    range_ring[(uint8_t)(range_taken + (offset)) & (RANGE_RING_BYTES - 1U)]
 #define WORD_AT(offset) ((uint16_t)((uint16_t)BYTE((offset) + 1U) << 8 | BYTE(offset)))
 
+/*@ predicate range_is_valid = looked_at <= SUMMED_BYTES && strength_kind <= RANGE_NOT_FALLEN; */
+
+/*@ requires range_is_valid;
+    assigns range_taken, looked_at, looked_sum;
+    ensures range_is_valid; */
 void range_restart(void)
 {
     range_taken = range_came;
@@ -47,6 +52,9 @@ static uint16_t mm_of(uint16_t cm)
     return (uint16_t)(mul_u8((uint8_t)cm, 10U) + (uint16_t)((uint16_t)mul_u8(high, 10U) << 8));
 }
 
+/*@ assigns \nothing;
+    ensures \result == (strength == TFLUNA_STRENGTH_BLIND ? RANGE_NOT_FALLEN :
+                        strength < TFLUNA_STRENGTH_MIN ? RANGE_NO_TARGET : RANGE_ECHO); */
 static uint8_t kind_of(uint16_t strength)
 {
     if (strength == TFLUNA_STRENGTH_BLIND) {
@@ -59,6 +67,10 @@ static uint8_t kind_of(uint16_t strength)
 }
 
 /* The reading is made ready before its last byte comes, as STOP waits for it from then on. */
+/*@ requires range_is_valid;
+    assigns range_taken, looked_at, looked_sum, is_frame, frame_mm, strength_kind;
+    ensures range_is_valid;
+    ensures \result ==> range_taken == (uint8_t)(\old(range_taken) + FRAME_BYTES); */
 bool range_take(void)
 {
     uint8_t byte;
@@ -94,6 +106,7 @@ uint16_t range_raw(void)
     return frame_mm;
 }
 
+/*@ requires range_is_valid; */
 uint8_t range_kind(uint16_t dist_mm)
 {
     if (strength_kind != RANGE_ECHO) {

@@ -1,0 +1,13 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# Each theorem that `make prove` prints is explained in docs/proof.md, and each has a seeded fault with which it falls.
+. tests/lib.sh
+
+sed -nE 's/^ *\*{0,1} *theorem ([A-Za-z0-9_]+):.*/\1/p' tests/prove/*.c | sort -u >"$out/proved"
+sed -n '/^## The theorems/,/^## What/p' docs/proof.md | grep '^|' | cut -d '|' -f 2 | grep -oE '`[a-z0-9_]+`' | tr -d '`' | sort -u >"$out/explained"
+awk '!/^(#|- )/ { print $1 }' tests/prove/faults.txt | sort -u >"$out/seeded"
+faultless "docs/proof.md explains each theorem" "$(comm -23 "$out/proved" "$out/explained" | xargs)"
+faultless "docs/proof.md names no other theorem" "$(comm -13 "$out/proved" "$out/explained" | xargs)"
+faultless "each theorem has a seeded fault" "$(comm -23 "$out/proved" "$out/seeded" | xargs)"
+faultless "each seeded fault is of a theorem" "$(comm -13 "$out/proved" "$out/seeded" | grep -vx -- - | xargs)"
+finish
