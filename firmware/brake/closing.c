@@ -12,8 +12,8 @@ static uint16_t rate;      /* of the time between them, out of RATES */
 static uint16_t smooth_mm; /* alpha-beta's place of the target, and its speed */
 static uint16_t smooth_2mmps;
 
-/* What closing_take, closing_take_second, and later both estimators change of them, for the contracts of target.c and
- * brake.c. */
+/* What closing_take, closing_take_second, and later both estimators change of them, for the
+ * contracts of target.c and brake.c. */
 #define CLOSING_TAKEN    rate, nearer_mm, smooth_mm, smooth_2mmps
 #define CLOSING_FINISHED smooth_mm, smooth_2mmps
 

@@ -22,8 +22,8 @@ static __idata uint16_t foreseen_4mm; /* as closing_foreseen_mm, in 1/4 mm */
 static __idata uint16_t smooth_4mm;   /* alpha-beta's place of the target, and its speed */
 static __idata uint16_t smooth_2mmps;
 
-/* What closing_take, closing_take_second, and later both estimators change of them, for the contracts of target.c and
- * brake.c. */
+/* What closing_take, closing_take_second, and later both estimators change of them, for the
+ * contracts of target.c and brake.c. */
 #define CLOSING_TAKEN    mark_mm, since_mark_cs, smooth_4mm, smooth_2mmps
 #define CLOSING_FINISHED mark_mm, since_mark_cs, closing_span_cs, smooth_4mm, smooth_2mmps
 

@@ -3,9 +3,9 @@
  * change dump with pin events and writes one with what the watched pins and cells do.
  *     fast_pins PART CLK_HZ IMAGE.ihx DIR CELL...
  * PART is the board's WATCHDOG. DIR has the FIFOs pins and keys; DIR/out and DIR/uart are written.
- * A CELL, iram[0x2f], is a byte of internal RAM. With S51_COVERS in the environment it also writes
- * DIR/covered, the address of each instruction that was run. As in s51, times restart at 0 with a watchdog
- * reset, and so do those of the events that follow. */
+ * A CELL, iram[0x2f], is a byte of internal RAM. With S51_COVERS in the environment it also
+ * writes DIR/covered, the address of each instruction that was run. As in s51, times restart at 0
+ * with a watchdog reset, and so do those of the events that follow. */
 #include "diag.h"
 #include "hexfile.h"
 #include "mcs52.h"
