@@ -65,3 +65,5 @@ run-test-long:
 	@$(MAKE) -j$$(nproc) test-build compiler-build-all
 	@$(MAKE) BOARD=$(DEFAULT_BOARD) ESTIMATOR=smooth OUT=build/smooth build/smooth/brake.ihx
 	@tests/run.sh $(LONG_SUITES)
+	@tools/deps.sh mutants
+	@$(MAKE) run-mutants

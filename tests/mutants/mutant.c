@@ -4,7 +4,7 @@
  *     MUTANT_ROUNDS=N      ends the program after so many rounds of loops: a mutant that loops for
  *                          ever ends at the same place on each machine
  *     MUTANT_CASE=N        runs Unity's case N alone; from 1 on
- *     MUTANT_REACHED=FILE  gets the number of the cases and of those rounds, and which functions were
+ *     MUTANT_REACHED=FILE  gets the number of cases and of those rounds, and which functions were
  *                          reached: one byte each, 0 or 1 */
 #include "mutant.h"
 #include <stdio.h>

@@ -25,7 +25,7 @@ MUTANT_LINK  := $(CC) -Wl,--wrap=longjmp,--wrap=UnityDefaultTestRun
 
 # The firmware. A unit test may include a file of the firmware as source, so mutants are in the tests' objects, too.
 MUTANT_ROOMS := firmware
-firmware_PLACES   := firmware/brake/ firmware/frames/ firmware/lib/
+firmware_PLACES   := firmware/lib/ firmware/frames/ $(CONTROLLERS:%=firmware/%/)
 firmware_FILES    := $(LOGIC_SRC) $(UNIT_TESTS:build/%=tests/%.c)
 firmware_PROGRAMS := $(UNIT_TESTS:build/%=$(MUTANT_DIR)/firmware/%)
 
@@ -38,7 +38,10 @@ bound_FILES        := $(filter-out %/main.c,$(wildcard tools/bound/*.c))
 bound_TESTS        := tests/tools/test_bound.c
 mcs52_FILES        := $(wildcard tools/drive/sim/mcs52*.c)
 mcs52_TESTS        := $(wildcard tests/tools/test_mcs52*.c)
-TOOL_ROOMS         := plants
+# Where there are many thousands of mutants, so many percent of them, drawn by chance.
+bound_SHARE        := 20
+mcs52_SHARE        := 12
+TOOL_ROOMS         := plants sensors expectations bound mcs52
 MUTANT_ROOMS       += $(TOOL_ROOMS)
 
 define tool_room
@@ -48,11 +51,12 @@ $(1)_PROGRAMS := $$($(1)_TESTS:%.c=$(MUTANT_DIR)/$(1)/%)
 $(MUTANT_DIR)/$(1)/%.i: MUTANT_FLAGS := $$(TOOL_MUTANT_FLAGS)
 $$($(1)_PROGRAMS): $(MUTANT_DIR)/$(1)/%: $(MUTANT_DIR)/plain/%.o $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o) $(MUTANT_DIR)/plain/tools.a
 endef
-TOOL_MUTANT_FLAGS = $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
+# A case takes a second at most: with fewer rounds than it has in `make test`.
+TOOL_MUTANT_FLAGS = -DMCS52_STATES=200 -DBOUND_STEPS_MAX=20000 $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
 $(foreach room,$(TOOL_ROOMS),$(eval $(call tool_room,$(room))))
 $(MUTANT_DIR)/plain/%.o: %.c | build/boards.h build/worlds.h
 	@mkdir -p $(@D)
-	$(Q)$(MUTANT_C) -O2 -MMD -MP $(TOOL_MUTANT_FLAGS) $(MUTANT_TRAPS) -c $< -o $@
+	$(Q)$(MUTANT_C) -O1 -MMD -MP $(TOOL_MUTANT_FLAGS) $(MUTANT_TRAPS) -c $< -o $@
 MUTANT_PLAIN := $(filter-out %/main.c,$(COMMON_SRC) $(foreach tool,drive bound,$(filter tools/$(tool)/%,$($(tool)_SRC))))
 $(MUTANT_DIR)/plain/tools.a: $(MUTANT_PLAIN:%.c=$(MUTANT_DIR)/plain/%.o)
 	$(Q)rm -f $@; ar rcs $@ $^
@@ -65,13 +69,13 @@ $(MUTANT_DIR)/$(1)/list: $(MUTANT_DIR)/mutate $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(
 	$$(Q)$$< $$@ $$(subst $$() ,:,$$($(1)_PLACES)) $$(foreach file,$$(filter %.i,$$^),$$(file) $$(file:%.i=%.mutants.c))
 $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.mutants.c): $(MUTANT_DIR)/$(1)/list ;
 $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o): %.o: %.mutants.c tests/mutants/mutant.h
-	$$(Q)$(MUTANT_C) -O2 -I. $(MUTANT_TRAPS) -c $$< -o $$@
+	$$(Q)$(MUTANT_C) -O1 -I. $(MUTANT_TRAPS) -c $$< -o $$@
 $$($(1)_PROGRAMS): $(MUTANT_DIR)/unity.o $(MUTANT_DIR)/mutant.o
 	@mkdir -p $$(@D)
 	$$(Q)$(MUTANT_LINK) $$^ $(drive_LIBS) -o $$@
 .PHONY: run-mutants-$(1)
 run-mutants-$(1): $(MUTANT_DIR)/run $$($(1)_PROGRAMS)
-	@$(MUTANT_DIR)/run $(if $(filter-out $(MUTANT_ROOMS),$(MUTANTS)),--only='$(MUTANTS)') $(1) $(MUTANT_DIR)/$(1)/list \
+	@$(MUTANT_DIR)/run $(if $(filter-out $(MUTANT_ROOMS),$(MUTANTS)),--only='$(MUTANTS)',--share=$(or $($(1)_SHARE),100)) $(1) $(MUTANT_DIR)/$(1)/list \
 	    tests/mutants/survivors/$(1).txt $$($(1)_PROGRAMS)
 endef
 $(foreach room,$(MUTANT_ROOMS),$(eval $(call mutant_room,$(room))))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Runs tests on each mutant of a LIST (mutate.c):
- *     run [--only=TEXT] [--share=PERCENT] ROOM LIST SURVIVORS PROGRAM...
+ *     run [--only=REGEX] [--share=PERCENT] ROOM LIST SURVIVORS PROGRAM...
  * A PROGRAM is a test by Unity that is linked with all mutants. Each of its cases must pass alone
  * while no mutant is alive. A mutant is found when one of the cases that reach its function fails
  * or crashes, or takes twice as many rounds of its loops as without the mutant, or 10 times the
@@ -10,13 +10,15 @@
  * lines that begin with # and say why no test can. An empty line ends what a reason is for. Where
  * the reason begins with "# Open:", nobody has found a reason yet; these are counted apart.
  *
- * --only: the mutants whose file, function, line or change has that text. --share: that part of
+ * --only: the mutants whose file, function, line or change matches that extended regular
+ * expression. --share: that part of
  * them, drawn by chance, the same ones each time.
  *
  * Prints each mutant that survives and is not listed, and each listed one that is found or does not
  * exist; ends with 1 if there is one of these. The last line counts, for ROOM. */
 #include <fcntl.h>
 #include <getopt.h>
+#include <regex.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -50,6 +52,7 @@ static struct test_case cases[CASES_MAX];
 static unsigned case_count;
 static struct mutant mutants[MUTANTS_MAX];
 static unsigned last; /* the highest number */
+static const char *survivors;
 
 static void fail(const char *which, const char *what)
 {
@@ -94,8 +97,8 @@ static int run_case(const struct test_case *test, unsigned mutant, unsigned long
     return status;
 }
 
-/* Runs case NUMBER, or all cases for 0, without a mutant: it must pass, and says what it reaches.
- * Returns the number of the program's cases. */
+/* Runs case NUMBER without a mutant: it must pass, and says what it reaches. Returns the number of
+ * the program's cases. */
 static unsigned measure(struct test_case *test, const char *program, unsigned number)
 {
     char path[] = "/tmp/mutants.XXXXXX";
@@ -130,7 +133,7 @@ static unsigned measure(struct test_case *test, const char *program, unsigned nu
 static void measure_cases(const char *program)
 {
     struct test_case all;
-    unsigned count = measure(&all, program, 0);
+    unsigned count = measure(&all, program, ~0U); /* there is no such case: all are only counted */
 
     free(all.reached);
     for (unsigned i = 1; i <= count; i++) {
@@ -172,6 +175,22 @@ static bool is_reached(unsigned mutant)
     return false;
 }
 
+/* Says what is wrong with one that has been judged. */
+static void say(unsigned mutant)
+{
+    const struct mutant *judged = &mutants[mutant];
+
+    if (judged->is_found && judged->is_listed) {
+        printf("%s: error: a test finds this mutant; delete its line:\n%s\n", survivors,
+               judged->key);
+    } else if (!judged->is_found && !judged->is_listed) {
+        printf("%.*s:%u: error: no test %s this mutant; write one, or add it to %s:\n%s\n",
+               (int)strcspn(judged->key, "\t"), judged->key, judged->line,
+               is_reached(mutant) ? "finds" : "reaches", survivors, judged->key);
+    }
+    fflush(stdout);
+}
+
 /* Waits for one of those who judge. */
 static void collect(void)
 {
@@ -187,6 +206,7 @@ static void collect(void)
     }
     mutants[i].is_found = WEXITSTATUS(status) == 0;
     mutants[i].pid = 0;
+    say(i);
 }
 
 /* So many at a time as there are processors. */
@@ -228,7 +248,11 @@ static void read_mutants(const char *path, const char *only)
 {
     FILE *file = open_list(path);
     char line[LINE_BYTES];
+    regex_t chosen;
 
+    if (regcomp(&chosen, only, REG_EXTENDED | REG_NOSUB) != 0) {
+        fail(only, "is no regular expression");
+    }
     while (fgets(line, sizeof line, file) != NULL) {
         unsigned number, function, place;
         int key;
@@ -241,7 +265,7 @@ static void read_mutants(const char *path, const char *only)
         mutants[number].key = strdup(line + key);
         mutants[number].function = function;
         mutants[number].line = place;
-        mutants[number].is_chosen = only == NULL || strstr(line + key, only) != NULL;
+        mutants[number].is_chosen = regexec(&chosen, line + key, 0, NULL, 0) == 0;
         last = number > last ? number : last;
     }
     fclose(file);
@@ -294,8 +318,8 @@ static unsigned read_survivors(const char *path)
     return wrong;
 }
 
-/* Keeps so many percent of the chosen ones, by their text, so that the others stay the same when one
- * comes or goes. */
+/* Keeps so many percent of the chosen ones, by their text: when one comes or goes, the others stay
+ * the same. */
 static void draw(unsigned share_pct)
 {
     for (unsigned i = 1; i <= last; i++) {
@@ -308,8 +332,8 @@ static void draw(unsigned share_pct)
     }
 }
 
-/* Prints what is wrong, and the counts; returns whether all is well. */
-static bool report(const char *room, const char *survivors, unsigned wrong)
+/* Prints the counts; returns whether all is well. */
+static bool report(const char *room, unsigned wrong)
 {
     unsigned chosen = 0, found = 0, equivalent = 0, open = 0, unlisted = 0;
 
@@ -320,23 +344,19 @@ static bool report(const char *room, const char *survivors, unsigned wrong)
             continue;
         }
         chosen++;
-        found += mutant->is_found;
-        if (mutant->is_found && mutant->is_listed) {
-            wrong++;
-            printf("%s: error: a test finds this mutant; delete its line:\n%s\n", survivors,
-                   mutant->key);
-        } else if (!mutant->is_found && mutant->is_listed) {
-            open += mutant->is_open;
-            equivalent += !mutant->is_open;
-        } else if (!mutant->is_found) {
+        if (mutant->is_found) {
+            found++;
+            wrong += mutant->is_listed;
+        } else if (!mutant->is_listed) {
             unlisted++;
-            printf("%.*s:%u: error: no test %s this mutant; write one, or add it to %s:\n%s\n",
-                   (int)strcspn(mutant->key, "\t"), mutant->key, mutant->line,
-                   is_reached(i) ? "finds" : "reaches", survivors, mutant->key);
+        } else if (mutant->is_open) {
+            open++;
+        } else {
+            equivalent++;
         }
     }
-    printf("%s: %u mutants: %u found; %u survive: %u equivalent, %u open, %u not listed\n", room,
-           chosen, found, equivalent + open + unlisted, equivalent, open, unlisted);
+    printf("%s: %u of %u mutants: %u found; %u survive: %u equivalent, %u open, %u not listed\n",
+           room, chosen, last, found, equivalent + open + unlisted, equivalent, open, unlisted);
     return unlisted == 0 && wrong == 0;
 }
 
@@ -344,7 +364,7 @@ int main(int count, char **args)
 {
     static const struct option options[] = {
         {"only", required_argument, NULL, 'o'}, {"share", required_argument, NULL, 's'}, {0}};
-    const char *only = NULL, *room, *survivors;
+    const char *only = "", *room;
     unsigned share_pct = 100, wrong;
     int option;
 
@@ -359,7 +379,7 @@ int main(int count, char **args)
     }
     if (count - optind < 4) {
         fprintf(stderr,
-                "usage: run [--only=TEXT] [--share=PERCENT] ROOM LIST SURVIVORS PROGRAM...\n");
+                "usage: run [--only=REGEX] [--share=PERCENT] ROOM LIST SURVIVORS PROGRAM...\n");
         return 2;
     }
     room = args[optind++];
@@ -372,5 +392,5 @@ int main(int count, char **args)
     }
     qsort(cases, case_count, sizeof *cases, compare_cases);
     judge_all();
-    return report(room, survivors, wrong) ? 0 : 1;
+    return report(room, wrong) ? 0 : 1;
 }

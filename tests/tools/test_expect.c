@@ -109,6 +109,8 @@ static void test_that_states_and_text_are_said(void)
     strcpy(outcome.final_state, "STOP");
     outcome.uart = "hello";
     expect_words("STOP", METRIC_FINAL_STATE);
+    strcpy(outcome.final_state, "S");
+    expect_words("S", METRIC_FINAL_STATE);
     expect_words("RELEASED STOP", METRIC_REACHED);
     expect_words("RELEASED STOP", METRIC_NEVER);
     expect_words("5 bytes", METRIC_UART_SAYS);

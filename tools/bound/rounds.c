@@ -4,7 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS_MAX = 2000000 }; /* instructions of all rounds: some seconds */
+#ifndef BOUND_STEPS_MAX
+#define BOUND_STEPS_MAX 2000000 /* instructions of all rounds: some seconds */
+#endif
+
+enum { STEPS_MAX = BOUND_STEPS_MAX };
 
 /* One loop that is taken round by round. */
 struct turning {
