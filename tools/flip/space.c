@@ -13,7 +13,7 @@ static void add_spots(struct space *space, const struct arguments *arguments)
 {
     for (unsigned k = 0; k < 512 * 8; k++) {
         enum where where = k < 256 * 8 ? IN_RAM : IN_SFR;
-        uint8_t address = (uint8_t)(k / 8);
+        unsigned address = k / 8 % 256;
         bool is_in = where == IN_RAM ? arguments->rams[address] : arguments->sfrs[address];
 
         if (k == 256 * 8) {
@@ -21,7 +21,7 @@ static void add_spots(struct space *space, const struct arguments *arguments)
         }
         if (is_in) {
             space->spots[space->spot_count++] =
-                (struct spot){.where = where, .address = address, .bit = (uint8_t)(k % 8)};
+                (struct spot){.where = where, .address = (uint8_t)address, .bit = (uint8_t)(k % 8)};
         }
     }
 }
