@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where drives with different faults meet: from there on they are the same, so one of them is enough.
- */
+/* Where drives with different faults meet: from there on they are the same, so one of them is
+ * enough. */
 #ifndef FUZZY51_FLIP_MEET_H
 #define FUZZY51_FLIP_MEET_H
 
@@ -12,7 +12,7 @@ struct meet;
 
 struct meet *meet_create(void);
 
-/* Case INDEX of the plan comes by at KEY. Returns the case that did so first, which may be INDEX. */
+/* Case INDEX of the plan comes by at KEY. Returns the case that did so first; that may be INDEX. */
 size_t meet_at(struct meet *meet, uint64_t key, size_t index);
 
 #endif

@@ -4,9 +4,9 @@
  * The drive without a fault is replayed, chip only, instruction by instruction. Before each
  * instruction each bit that is looked at is flipped, and the instruction is run with it. When the
  * chip is then as without the fault but for that same bit, the flip is the same as one before the
- * next instruction: it waits for its next use. Otherwise the flip has had its use: it goes on to the
- * end of the slot, where what is alike becomes one class. A class that is as without the fault had
- * no effect. One whose output pins did something else has to be flown with the world: its first
+ * next instruction: it waits for its next use. Otherwise the flip has had its use: it goes on to
+ * the end of the slot, where what is alike becomes one class. A class that is as without the fault
+ * had no effect. One whose output pins did something else has to be flown with the world: its first
  * flip stands for all.
  *
  * Exact but for this: within a slot, two runs are alike when their outputs have the same edges in
@@ -32,8 +32,8 @@ struct space *space_search(const struct fair *fair, const struct board *board,
                            const struct hexfile *hex, const struct arguments *arguments,
                            struct plan *plan);
 
-/* When PLAN is flown: for each bit, at how many cycles a flip comes to what. Says on stderr how many
- * runs that took, and how many of the samples came to what their class did. */
+/* When PLAN is flown: for each bit, at how many cycles a flip comes to what. Says on stderr how
+ * many runs that took, and how many of the samples came to what their class did. */
 void space_print(FILE *out, struct space *space, const struct plan *plan);
 
 void space_free(struct space *space);

@@ -126,8 +126,8 @@ enum sim_status sim_run_to(struct sim *sim, int64_t time_ns);
  * Input is not possible any more. */
 enum sim_status sim_run_after_reset(struct sim *sim, int64_t window_ns);
 
-/* Of an engine that can flip: FLIP, while the chip runs. Returns false when the chip has no such bit
- * or pin, or too many flips. */
+/* Of an engine that can flip: FLIP, while the chip runs. Returns false when the chip has no such
+ * bit or pin, or too many flips. */
 bool sim_flip(struct sim *sim, const struct sim_flip *flip);
 
 /* The machine cycle in which TIME_NS lies, since power came up. */
