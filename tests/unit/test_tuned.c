@@ -325,7 +325,8 @@ static void test_the_sum_shows_each_byte_beside_one_of_all_ones(void)
     TEST_ASSERT_TRUE(brake_sum() != sum);
     brake.overridden = !brake.overridden;
     TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &demand_pct));
-    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &override_cs));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, (uint8_t *)&override_cs));
+    TEST_ASSERT_TRUE(each_bit_shows(brake_sum, (uint8_t *)&override_cs + 1));
     TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &latch_state));
     TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &fault_state));
     TEST_ASSERT_TRUE(each_bit_shows(brake_sum, &target_worth));
