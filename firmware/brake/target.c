@@ -188,7 +188,7 @@ static uint8_t judge(void)
     if (TELLS_SPEED(since_aside_cs) && can_reach(aside_mm, since_aside_cs)) {
         off_mm = (uint16_t)(echo_mm - aside_mm + TARGET_LIKELY_MM);
         if (target_worth == TARGET_NONE || target_worth >= TARGET_NEW ||
-            (since_aside_cs < since_cs && off_mm <= 2U * TARGET_LIKELY_MM)) {
+            off_mm <= 2U * TARGET_LIKELY_MM) {
             closing_place_mm = aside_mm;
             since_cs = since_aside_cs;
             return TARGET_NEW;

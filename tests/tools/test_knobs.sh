@@ -51,7 +51,7 @@ check "another version is in the image" grep -aq "fuzzy51 9.9 follow generic8052
 
 report=(tools/report/report.sh stc89c516rd)
 export REPORT_OUT=$out/report
-refuses "an image that is not there" 2 "no image 'nosuch'; the images are: brake tuned classic" env IMAGES='gap nosuch' "${report[@]}"
+refuses "an image that is not there" 2 "no image 'nosuch'; the images are: brake tuned brake_far classic" env IMAGES='gap nosuch' "${report[@]}"
 refuses "a map of no fineness" 2 "MAP=finest: use coarse, normal or fine" env MAP=finest "${report[@]}"
 refuses "no jobs at all" 2 "JOBS=0: give a whole number, 1 or more" env JOBS=0 "${report[@]}"
 refuses "a word for jobs" 2 "JOBS=all: give a whole number, 1 or more" env JOBS=all "${report[@]}"

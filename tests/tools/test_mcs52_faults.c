@@ -136,6 +136,12 @@ static void test_that_chips_differ_where_their_ways_part(void)
     TEST_ASSERT_TRUE(mcs52_equal(chip, other));
     mcs52_ram(other)[0x50] ^= 1;
     TEST_ASSERT_FALSE(mcs52_equal(chip, other));
+    mcs52_copy(other, chip);
+    mcs52_run(other, 101); /* another time */
+    TEST_ASSERT_FALSE(mcs52_equal(chip, other));
+    mcs52_copy(other, chip);
+    mcs52_jump(other, 0x1234); /* another place in the program */
+    TEST_ASSERT_FALSE(mcs52_equal(chip, other));
     make_two();
     mcs52_set_pin(other, 500, 2, 2, false); /* another port */
     TEST_ASSERT_FALSE(mcs52_equal(chip, other));
