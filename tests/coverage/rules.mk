@@ -19,8 +19,9 @@ $(COVERAGE_TESTS): $(COVERAGE)/unit/%: $(COVERAGE)/tests/unit/%.o $(COVERAGE)/un
 
 # And the instructions that only the chip has: of each controller on each board, the default board first.
 COMMA := ,
-COVERED_BOARDS := $(subst $() ,$(COMMA),$(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS))) $(OTHER_BOARDS))
+ASKED_BOARDS   := $(or $(BOARD),$(BOARDS))
+COVERED_BOARDS := $(subst $() ,$(COMMA),$(strip $(filter $(DEFAULT_BOARD),$(ASKED_BOARDS)) $(filter-out $(DEFAULT_BOARD),$(ASKED_BOARDS))))
 COVERAGE_SUITE := 'tests/coverage/test_coverage.sh $(COVERAGE_TESTS)' \
-    'tests/coverage/test_chip_coverage.sh $(strip $(COVERED_BOARDS)) $(CONTROLLERS) brake_far'
+    'tests/coverage/test_chip_coverage.sh $(COVERED_BOARDS) $(CONTROLLERS) brake_far'
 
 -include $(wildcard $(COVERAGE)/*/*/*.d)

@@ -53,13 +53,13 @@ ways() { # CONTROLLER
         printf '%s\n' "drive $usual" 'jump 0' 'jump 0xFFFE' "overwrite frames/frames _seconds"
         ;;
     esac
+    # Those that are the only ones to run an instruction come first: it saves time.
+    # shellcheck disable=SC2046  # words
+    printf "drive $folder/%s.scn\n" $(telling "$1")
     # From DEAD_ZONE to READY: no drive of tests/loop leaves the dead zone.
     [ "$1" != park ] || echo "flip_cell $folder/t6_dead_zone_6m.scn park/park _park 17 0 0.5"
     seldom | sed "s|^|drive $usual |"
     echo "flip_table $usual"
-    # Those that are the only ones to run an instruction come first: it saves time.
-    # shellcheck disable=SC2046  # words
-    printf "drive $folder/%s.scn\n" $(telling "$1")
     printf 'drive %s\n' "$folder"/*.scn
     [ "$1" != brake ] || printf 'drive %s\n' tests/loop/brake/*.scn
 }
