@@ -174,10 +174,10 @@ shows() { # NAME PATTERN FILE PAGE: the blocks of PAGE have lines of that form, 
     of_image "$1" $? "$4 shows '$(head -n 1 "$out/untrue")'; it is '$(grep -m 1 -F -- "$(head -n 1 "$out/untrue" | cut -c1-8)" "$3")'"
 }
 drive=(build/drive run --board "$board" --scenario)
-# Of the telemetry the two engines differ in a millimetre here and there.
+# Of the telemetry the two engines differ in a millimetre here and there, and in a byte of unused stack.
 "${drive[@]}" tests/loop/standing_car_3mps.scn --engine=s51 --uart "$out/log" >/dev/null
 for character in '?' s; do
-    "${drive[@]}" tests/loop/standing_car_3mps.scn --set uart.at_s=0.5 --set "uart.send=$character" --uart "$out/answer" >/dev/null
+    "${drive[@]}" tests/loop/standing_car_3mps.scn --engine=fast --set uart.at_s=0.5 --set "uart.send=$character" --uart "$out/answer" >/dev/null
     cat "$out/answer" >>"$out/log"
 done
 tr -d '\r' <"$out/log" >"$out/uart"

@@ -584,8 +584,11 @@ static uint64_t noted_hash(const char *mode, uint64_t hash)
     snprintf(path, sizeof path, "%s/hash", folder);
     file = fopen(path, mode);
     TEST_ASSERT_NOT_NULL(file);
-    TEST_ASSERT_EQUAL(1, mode[0] == 'w' ? fwrite(&hash, sizeof hash, 1, file)
-                                        : fread(&hash, sizeof hash, 1, file));
+    if (mode[0] == 'w') {
+        TEST_ASSERT_EQUAL(1, fwrite(&hash, sizeof hash, 1, file));
+    } else {
+        TEST_ASSERT_EQUAL(1, fread(&hash, sizeof hash, 1, file));
+    }
     fclose(file);
     return hash;
 }

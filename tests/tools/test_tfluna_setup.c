@@ -141,10 +141,12 @@ static void hear(void)
         uint8_t length = bytes[1];
 
         TEST_ASSERT_EQUAL_HEX8(0x5A, bytes[0]);
-        TEST_ASSERT_TRUE(length >= 4 && length <= sizeof bytes);
+        TEST_ASSERT_TRUE(length >= 4 && length <= count);
         obey(bytes);
         count -= length;
-        memmove(bytes, bytes + length, count);
+        for (size_t i = 0; i < count; i++) {
+            bytes[i] = bytes[length + i];
+        }
     }
 }
 

@@ -229,10 +229,10 @@ void classes_plan(struct classes *classes, struct plan *plan)
 {
     for (uint32_t class = CLASS_UNKNOWN + 1; class < classes->count; class ++) {
         if (classes->all[class].parent == class) {
-            struct fault_case first = classes->all[class].first;
+            struct fault_case flight = classes->all[class].first;
 
-            first.tag = class;
-            plan_add(plan, &first);
+            flight.tag = class;
+            plan_add(plan, &flight);
         }
     }
     forget_states(classes);
