@@ -12,32 +12,35 @@ shift 2
 folder=${object%/*} name=${object##*/}
 depends=${object%.rel}.d
 [ -d "$folder" ] || mkdir -p "$folder"
-# With its comments: the listing carries them, and tools/bound reads them there.
-text=$("$@" -E "-Wp,-C,-MMD,$depends,-MT,$object" "$source")
+new=$(mktemp -d -p build kept.XXXXXX)
+trap 'rm -rf "$new"' EXIT
+trap 'exit 1' HUP INT TERM
+# With its comments: the listing carries them, and tools/bound reads them there. Not every version of SDCC can be
+# told the name of the file with the headers, so that is the name of the text.
+"$@" -MMD -Wp,-C -E "$source" -o "$new/text.rel"
+sed "1s|^[^ ]*:|$object:|" "$new/text.d" >"$depends"
 flags=${SDCC_VERSION:-}
 for flag; do
     # Defines and folders of headers have done their work.
     case $flag in -D* | -U* | -I*) ;; *) flags="$flags $flag" ;; esac
 done
-sums=$(printf '%s\n' "$flags" "$text" | sha256sum - tools/no_atomics.sh)
-# The two sums stand at the begin of two lines.
-kept=build/objects/${sums%% *}-${sums#*-
-}
-kept=${kept%% *}
+key=$({
+    echo "$flags"
+    cat tools/no_atomics.sh "$new/text.rel"
+} | sha256sum)
+kept=build/objects/${key%% *}
 if [ ! -d "$kept" ]; then
-    new=$(mktemp -d -p build kept.XXXXXX)
-    trap 'rm -rf "$new"' EXIT
-    trap 'exit 1' HUP INT TERM
-    "$@" -c "$source" -o "$new/$name"
-    tools/no_atomics.sh "$new/$name"
+    mkdir "$new/kept"
+    "$@" -c "$source" -o "$new/kept/$name"
+    tools/no_atomics.sh "$new/kept/$name"
     # shellcheck disable=SC2046  # one word each
-    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$depends")
+    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$new/text.d")
     if [ -n "$changed" ]; then
         echo "$changed: error: changed while $source was compiled; run make again" >&2
         exit 1
     fi
     mkdir -p build/objects
     # Another process may have compiled the same meanwhile.
-    mv -T "$new" "$kept" 2>/dev/null || [ -d "$kept" ]
+    mv -T "$new/kept" "$kept" 2>/dev/null || [ -d "$kept" ]
 fi
 cp "$kept"/* "$folder"
