@@ -96,7 +96,7 @@ walk() { # "", table or ram
     if [ "${1:-}" = ram ]; then
         # The key comes while the table is being tested, too early.
         S51_TYPES=1 S51_SETS='iram[0x50]' s51_start "$board" "$hex"
-        for ((time_us = 500; time_us < 3000; time_us++)); do s51_set $time_us 0; done
+        for ((time_us = 500; time_us < 3000; time_us++)); do s51_set "$time_us" 0; done
         s51_until 20000
         s51_type n
         s51_until 1500000
@@ -117,11 +117,11 @@ type_keys() { # COUNTER
     cell=iram[$(address_of brake/main "$1")]
     S51_SETS=$cell S51_TYPES=1 s51_start "$board" "$hex"
     s51_set 700000 255
-    s51_until $now
+    s51_until "$now"
     for key in '?' s x t $'t\r\n' v; do
         s51_type "$key"
         now=$((now + 150000))
-        s51_until $now
+        s51_until "$now"
     done
     s51_stop
     keep_covered
@@ -158,13 +158,13 @@ jump() { # ADDRESS
 
 boards=${1//,/ }
 shift
-for board in $boards; do
-    for image in "$@"; do
-        find "build/$board" -maxdepth 2 -name "$image.lk"
+for one in $boards; do
+    for name; do
+        find "build/$one" -maxdepth 2 -name "$name.lk"
     done
 done | sed 's/\.lk$//; s/^build.//' | awk '!seen[$0]++' >"$out/images"
-while read -r image; do
-    sed -n 's/\.rel$/.rst/p' "build/$image.lk"
+while read -r one; do
+    sed -n 's/\.rel$/.rst/p' "build/$one.lk"
 done <"$out/images" | xargs awk -f tests/coverage/instructions.awk >"$out/instructions"
 
 # Those whose line says why.
@@ -212,7 +212,8 @@ done
 
 left >"$out/left"
 cut -f 3 "$out/instructions" | sort -u >"$out/names"
-for file in $(sed 's/:.*//' "$out/names" | sort -u); do
+sed 's/:.*//' "$out/names" | sort -u >"$out/files"
+while read -r file; do
     faultless "$file" "$(awk -F '\t' -v file="$file:" 'index($3, file) == 1 { print $3 " (at " $2 " of " $1 ") is run by no drive;" }' "$out/left")"
-done
+done <"$out/files"
 finish
