@@ -34,7 +34,9 @@ agrees() {
 
 for law in brake tuned classic first none; do
     faultless "${law}_standing_3.0" "$(agrees $law tests/loop/standing_car_3mps.scn)"
-    faultless "${law}_standing_6.4" "$(agrees $law tests/loop/tuned/standing_car_64.scn)"
+    # One reading's duty makes it into a period of the PWM, or with another version of SDCC just not: then the
+    # gap changes by the way of 10 ms at 6.4 m/s, beside those 3 cm.
+    faultless "${law}_standing_6.4" "$(gap_m=0.094 agrees $law tests/loop/tuned/standing_car_64.scn)"
 done
 # The pulse of a clear road, 38 ms, ends 0.37 ms before the PWM takes its last new duty for the next
 # period, and what else the chip does just then decides whether it is in time: at the edge of the sensor's
