@@ -422,31 +422,23 @@ static void test_that_a_braking_car_hits_with_the_closed_forms_speed(void)
 }
 
 /* Both move: the lead brakes from 6 m/s at 1 s with 2 m/s2, the ego rolls at 8 m/s, 5 m behind: 3 m
- * at 1 s, then 2 t + t^2 = 3, so t = 1 s; the lead drives at 4 m/s then. */
+ * at 1 s, then 2 t + t^2 = 3, so t = 1 s; the lead drives at 4 m/s then. The impact is within a step
+ * that begins at 0, or at 1.5 s. */
 static void test_that_an_impact_on_a_braking_car_has_the_difference_of_speeds(void)
 {
-    put_lead(5, 6);
-    scenario.lead.change_s = 1;
-    scenario.lead.change_mps2 = -2;
-    begin_at_once(8, 10000 * ms);
-    car_advance(&car, 9000 * ms);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 2, car.record.impact_s);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 4, car.record.impact_mps);
-    TEST_ASSERT_EQUAL_INT64(2000 * ms, car.now_ns);
-}
+    static const int64_t step_ms[] = {10000, 1500};
 
-/* The second impact is within a step that begins late. */
-static void test_that_an_impact_within_a_late_step_is_exact(void)
-{
     put_lead(5, 6);
     scenario.lead.change_s = 1;
     scenario.lead.change_mps2 = -2;
-    begin_at_once(8, 1500 * ms);
-    car_advance(&car, 9000 * ms);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 2, car.record.impact_s);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 4, car.record.impact_mps);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 16, car.x_m);
-    TEST_ASSERT_EQUAL_INT64(2000 * ms, car.now_ns);
+    for (int i = 0; i < 2; i++) {
+        begin_at_once(8, step_ms[i] * ms);
+        car_advance(&car, 9000 * ms);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 2, car.record.impact_s);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 4, car.record.impact_mps);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 16, car.x_m);
+        TEST_ASSERT_EQUAL_INT64(2000 * ms, car.now_ns);
+    }
 }
 
 /* The driver looks once a step: 10 m/s, a gain of 2 / s, steps of 0.1 s: 20 % of what lacks. */
@@ -608,6 +600,38 @@ static void test_that_nothing_ahead_is_no_target(void)
     TEST_ASSERT_EQUAL_DOUBLE(4, car_gap_m(&car));
 }
 
+/* Each is 1 m nearer than the one before; those that are not there yet do not count. */
+static void test_that_each_of_eight_targets_counts(void)
+{
+    for (int i = 0; i < LEADS_MAX; i++) {
+        scenario.leads[i] = scenario.lead;
+        scenario.leads[i].present = true;
+        scenario.leads[i].gap_m = 20 - i;
+        scenario.leads[i].speed_mps = 3 + i;
+        scenario.leads[i].appears_s = i;
+    }
+    begin();
+    for (int i = 0; i < LEADS_MAX; i++) {
+        car_advance(&car, i * 1000 * ms);
+        TEST_ASSERT_EQUAL(i, car_nearest(&car));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3 + i, car_lead_mps(&car));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 20 - i, car_gap_m(&car));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, 20 - i, car.record.min_gap_m);
+    }
+}
+
+/* It comes within a step of a second, at 0.5 s, and stands 2 m ahead: 2 m at 3 m/s. */
+static void test_that_the_eighth_target_is_hit(void)
+{
+    put_lead(2, 0);
+    scenario.leads[LEADS_MAX - 1] = scenario.lead;
+    scenario.leads[LEADS_MAX - 1].appears_s = 0.5;
+    scenario.lead.present = false;
+    car_init(&car, &scenario, 1000 * ms);
+    car_advance(&car, 5000 * ms);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0.5 + 2 / 3.0, car.record.impact_s);
+}
+
 static void test_that_half_a_lane_beside_is_out_of_the_way(void)
 {
     static const double lanes[] = {0.5, -0.5, 0.499, -0.499};
@@ -752,7 +776,6 @@ int main(void)
     RUN_TEST(test_that_a_rest_before_the_event_is_not_its_rest);
     RUN_TEST(test_that_a_braking_car_hits_with_the_closed_forms_speed);
     RUN_TEST(test_that_an_impact_on_a_braking_car_has_the_difference_of_speeds);
-    RUN_TEST(test_that_an_impact_within_a_late_step_is_exact);
     RUN_TEST(test_that_the_driver_closes_a_fifth_of_what_lacks_in_a_tenth_of_a_second);
     RUN_TEST(test_that_the_drivers_push_is_limited);
     RUN_TEST(test_that_a_push_below_the_drag_does_not_move_a_car);
@@ -763,6 +786,8 @@ int main(void)
     RUN_TEST(test_that_a_lead_changes_its_speed_as_planned);
     RUN_TEST(test_that_a_profile_holds_its_first_speed_until_its_first_point);
     RUN_TEST(test_that_nothing_ahead_is_no_target);
+    RUN_TEST(test_that_each_of_eight_targets_counts);
+    RUN_TEST(test_that_the_eighth_target_is_hit);
     RUN_TEST(test_that_half_a_lane_beside_is_out_of_the_way);
     RUN_TEST(test_that_a_car_in_the_way_comes_first_in_either_place);
     RUN_TEST(test_that_a_target_comes_and_goes_within_a_step);

@@ -216,9 +216,10 @@ static void test_the_order_of_the_robots_ahead_does_not_matter(void)
 static void test_who_is_not_ahead_is_not_seen(void)
 {
     struct robots robots = start(9000, 2000, 1000);
-    struct robot_ahead ahead[] = {{true, 0, 0}, {false, 3000000, 1500}};
+    const struct robot_ahead all[] = {
+        {true, 2000000, 700}, {true, 0, 0}, {false, 3000000, 1500}, {true, 4000000, 900}};
 
-    robots_see_nearest(&robots, ahead, 2);
+    robots_see_nearest(&robots, all + 1, 2); /* the first and the last one are not asked for */
     TEST_ASSERT_EQUAL_INT(ROBOTS_NOBODY_UM, robots.gap_um);
     TEST_ASSERT_EQUAL_INT(0, robots.lead_mmps);
     robots_step(&robots, 0, false);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/sensor.c by itself, and in sonar.c and tfluna.c what test_sonar.c
  * and test_tfluna.c leave out: the edges of times, the numbers of chance, each place of a fault. */
-#include "sensor.h"
+#include "sensor_settings.h"
 #include "sonar.h"
 #include "tfluna.h"
 
@@ -10,7 +10,6 @@
 #include <unity.h>
 
 static const int64_t us = 1000, ms = 1000000;
-static struct sensor_settings settings;
 static struct sensing sensing;
 static struct sonar sonar;
 static struct tfluna tfluna;
@@ -26,14 +25,10 @@ void tearDown(void)
 void setUp(void)
 {
     tearDown(); /* also between parts of a case */
-    memset(&settings, 0, sizeof settings);
+    default_settings();
     memset(&sensing, 0, sizeof sensing);
     memset(&sonar, 0, sizeof sonar);
     memset(&tfluna, 0, sizeof tfluna);
-    section_defaults(&sensor_section, &settings.sensor);
-    for (int i = 0; i < SENSOR_FAULTS; i++) {
-        section_defaults(&fault_section, &settings.faults[i]);
-    }
 }
 
 /* Sees all, and has a noise of 1 m. */
@@ -47,13 +42,6 @@ static void begin(void)
 {
     sensing_free(&sensing);
     sensing_init(&sensing, &settings, look, 100, 7);
-}
-
-static struct fault *fault(int which, enum fault_kind kind, double from_s)
-{
-    settings.faults[which].kind = kind;
-    settings.faults[which].from_s = from_s;
-    return &settings.faults[which];
 }
 
 /* The noise of the next reading: its third number. */
@@ -84,7 +72,7 @@ static void test_that_a_reading_takes_three_numbers_for_garbage_dropout_and_nois
     struct random same;
     double garbage, expected_m;
 
-    fault(0, FAULT_GARBAGE, 0.5);
+    fault(0, FAULT_GARBAGE, 0.5)->offset_m = 5; /* no matter: it is not FAULT_WRONG */
     begin();
     random_seed(&same, 7);
     for (int i = 0; i < 3; i++) {
@@ -156,18 +144,20 @@ static void test_that_a_lidars_frames_begin_at_the_start_up_and_a_part_of_the_pe
 
 static void test_that_a_fault_has_its_time(void)
 {
-    struct fault one = {.kind = FAULT_STUCK, .from_s = 0.5, .for_s = 0.25};
+    struct fault *one = &sensing.faults[1];
 
-    TEST_ASSERT_FALSE(fault_is_active(&one, 0.4999));
-    TEST_ASSERT_TRUE(fault_is_active(&one, 0.5));
-    TEST_ASSERT_TRUE(fault_is_active(&one, 0.7499));
-    TEST_ASSERT_FALSE(fault_is_active(&one, 0.75));
-    one.for_s = SCENARIO_UNSET;
-    TEST_ASSERT_TRUE(fault_is_active(&one, 1e6));
-    one.kind = -1;
-    TEST_ASSERT_FALSE(fault_is_active(&one, 0.6));
-    one = (struct fault){.kind = FAULT_GLITCH, .from_s = 0.5, .for_s = 0.25};
-    TEST_ASSERT_TRUE(fault_is_active(&one, 1e6)); /* it ends by its readings */
+    *one = (struct fault){.kind = FAULT_STUCK, .from_s = 0.5, .for_s = 0.25};
+    TEST_ASSERT_FALSE(sensing_fault_acts(&sensing, 1, 0.4999));
+    TEST_ASSERT_TRUE(sensing_fault_acts(&sensing, 1, 0.5));
+    TEST_ASSERT_TRUE(sensing_fault_acts(&sensing, 1, 0.7499));
+    TEST_ASSERT_FALSE(sensing_fault_acts(&sensing, 1, 0.75));
+    one->for_s = SCENARIO_UNSET;
+    TEST_ASSERT_TRUE(sensing_fault_acts(&sensing, 1, 1e6));
+    TEST_ASSERT_FALSE(sensing_fault_acts(&sensing, 0, 1e6));
+    one->kind = -1;
+    TEST_ASSERT_FALSE(sensing_fault_acts(&sensing, 1, 0.6));
+    *one = (struct fault){.kind = FAULT_GLITCH, .from_s = 0.5, .for_s = 0.25};
+    TEST_ASSERT_TRUE(sensing_fault_acts(&sensing, 1, 1e6)); /* it ends by its readings */
 }
 
 static void test_that_each_place_of_a_fault_counts(void)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/sonar.c and sensor.c, the sensor and its faults; figures from the
  * HC-SR04 data sheet. */
+#include "sensor_settings.h"
 #include "sonar.h"
 
 #include <math.h>
@@ -8,16 +9,11 @@
 #include <unity.h>
 
 static const int64_t us = 1000, ms = 1000000;
-static struct sensor_settings settings;
 static struct sonar sonar;
 
 void setUp(void)
 {
-    memset(&settings, 0, sizeof settings);
-    section_defaults(&sensor_section, &settings.sensor);
-    for (int i = 0; i < SENSOR_FAULTS; i++) {
-        section_defaults(&fault_section, &settings.faults[i]);
-    }
+    default_settings();
 }
 
 void tearDown(void)
@@ -29,13 +25,6 @@ static void begin(uint64_t seed)
 {
     sensing_free(&sonar.sensing);
     sonar_init(&sonar, &settings, seed);
-}
-
-static struct fault *fault(enum fault_kind kind, double from_s)
-{
-    settings.faults[0].kind = kind;
-    settings.faults[0].from_s = from_s;
-    return &settings.faults[0];
 }
 
 /* The pulse that the echo line shows, us; 0: none; -1: it never ends. */
@@ -189,7 +178,7 @@ static void test_that_a_fault_leaves_the_later_noise_alone(void)
         read_m(i * 60 * ms, 2);
     }
     healthy = read_m(5 * 60 * ms, 2);
-    fault(FAULT_GARBAGE, 0)->for_s = 0.2;
+    fault(0, FAULT_GARBAGE, 0)->for_s = 0.2;
     begin(7);
     for (int i = 0; i < 5; i++) {
         read_m(i * 60 * ms, 2);
@@ -208,7 +197,7 @@ static void test_that_readings_are_rounded_to_the_step(void)
 
 static void test_that_a_sensor_that_is_off_says_nothing(void)
 {
-    fault(FAULT_OFF, 0.1)->for_s = 0.1;
+    fault(0, FAULT_OFF, 0.1)->for_s = 0.1;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(0, 2));
     TEST_ASSERT_EQUAL(SENSOR_MISSING, sonar_trigger(&sonar, 120 * ms, 10 * us, 2, 0));
@@ -222,7 +211,7 @@ static void test_that_an_unplugged_line_goes_high_and_cuts_the_echo(void)
     int64_t at;
     bool level;
 
-    fault(FAULT_OFF, 0.005)->line = 1;
+    fault(0, FAULT_OFF, 0.005)->line = 1;
     begin(1);
     sonar_trigger(&sonar, 0, 10 * us, 0.1, 0); /* over before the plug comes out */
     TEST_ASSERT_TRUE(sonar_next_event(&sonar, 5 * ms, &at, &level));
@@ -241,7 +230,7 @@ static void test_that_a_dead_line_ends_an_echo_early(void)
     int64_t at;
     bool level;
 
-    fault(FAULT_OFF, 0.005);
+    fault(0, FAULT_OFF, 0.005);
     begin(1);
     sonar_trigger(&sonar, 0, 10 * us, 2, 0);
     TEST_ASSERT_TRUE(sonar_next_event(&sonar, 5 * ms, &at, &level));
@@ -255,7 +244,7 @@ static void test_that_a_dead_line_ends_an_echo_early(void)
 
 static void test_that_a_stuck_sensor_repeats_its_last_reading(void)
 {
-    fault(FAULT_STUCK, 0.1);
+    fault(0, FAULT_STUCK, 0.1);
     begin(1);
     read_m(0, 3);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 3, read_m(120 * ms, 2));
@@ -267,7 +256,7 @@ static void test_that_a_sensor_stuck_before_it_saw_anything_says_no_target(void)
     static const double first_m[] = {INFINITY, 7, 0.01}; /* nothing, beyond max_m, below min_m */
 
     for (int i = 0; i < 3; i++) {
-        fault(FAULT_STUCK, 0);
+        fault(0, FAULT_STUCK, 0);
         begin(1);
         TEST_ASSERT_EQUAL_DOUBLE(INFINITY, read_m(0, first_m[i]));
         TEST_ASSERT_EQUAL_DOUBLE(INFINITY, read_m(60 * ms, 2)); /* for ever */
@@ -278,7 +267,7 @@ static void test_that_garbage_has_nothing_to_do_with_the_distance(void)
 {
     double low = INFINITY, high = 0;
 
-    fault(FAULT_GARBAGE, 0);
+    fault(0, FAULT_GARBAGE, 0);
     begin(3);
     for (int i = 0; i < 200; i++) {
         double reading = read_m(i * 60 * ms, 2);
@@ -291,7 +280,7 @@ static void test_that_garbage_has_nothing_to_do_with_the_distance(void)
 
 static void test_that_a_wrong_sensor_scales_and_shifts(void)
 {
-    fault(FAULT_WRONG, 0)->scale = 1.5;
+    fault(0, FAULT_WRONG, 0)->scale = 1.5;
     settings.faults[0].offset_m = -0.2;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2.8, read_m(0, 2));
@@ -299,7 +288,7 @@ static void test_that_a_wrong_sensor_scales_and_shifts(void)
 
 static void test_that_a_slow_sensor_skips_triggers(void)
 {
-    fault(FAULT_SLOW, 0)->period_s = 0.15;
+    fault(0, FAULT_SLOW, 0)->period_s = 0.15;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(0, 2));
     TEST_ASSERT_EQUAL(SENSOR_MISSING, sonar_trigger(&sonar, 60 * ms, 10 * us, 2, 0));
@@ -309,7 +298,7 @@ static void test_that_a_slow_sensor_skips_triggers(void)
 
 static void test_that_a_delayed_sensor_shows_the_past(void)
 {
-    fault(FAULT_DELAYED, 0)->delay_s = 0.2;
+    fault(0, FAULT_DELAYED, 0)->delay_s = 0.2;
     begin(1);
     for (int i = 0; i <= 100; i++) {
         sensing_observe(&sonar.sensing, i * 10 * ms, 5 - 0.03 * i); /* 3 m/s */
@@ -319,7 +308,7 @@ static void test_that_a_delayed_sensor_shows_the_past(void)
 
 static void test_that_an_intermittent_sensor_comes_and_goes(void)
 {
-    fault(FAULT_INTERMITTENT, 1)->off_s = 0.3;
+    fault(0, FAULT_INTERMITTENT, 1)->off_s = 0.3;
     settings.faults[0].on_s = 0.2;
     begin(1);
     TEST_ASSERT_EQUAL_DOUBLE(0, read_m(1100 * ms, 2));
@@ -333,7 +322,7 @@ static void test_that_an_intermittent_sensor_comes_and_goes(void)
 
 static void test_that_a_glitch_lasts_so_many_readings(void)
 {
-    fault(FAULT_GLITCH, 0.1)->dist_m = 0.5;
+    fault(0, FAULT_GLITCH, 0.1)->dist_m = 0.5;
     settings.faults[0].readings = 2;
     begin(1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 2, read_m(0, 2));

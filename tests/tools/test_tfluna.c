@@ -1,26 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /* Under test: tools/drive/plant/tfluna.c, the lidar's frames and what may be wrong with them;
  * figures from Benewake's manual SJ-PM-TF-Luna A03. */
+#include "sensor_settings.h"
 #include "tfluna.h"
 
 #include <math.h>
 #include <string.h>
 #include <unity.h>
 
-static struct sensor_settings settings;
 static struct tfluna tfluna;
 static uint8_t frame[TFLUNA_FRAME];
 static enum sensor_answer answer;
 
 void setUp(void)
 {
-    memset(&settings, 0, sizeof settings);
-    section_defaults(&sensor_section, &settings.sensor);
+    default_settings();
     settings.sensor.kind = SENSOR_TFLUNA;
     settings.sensor.noise_m = 0;
-    for (int i = 0; i < SENSOR_FAULTS; i++) {
-        section_defaults(&fault_section, &settings.faults[i]);
-    }
 }
 
 void tearDown(void)
@@ -32,13 +28,6 @@ static void begin(uint64_t seed)
 {
     sensing_free(&tfluna.sensing);
     tfluna_init(&tfluna, &settings, seed);
-}
-
-static struct fault *fault(enum fault_kind kind, double from_s)
-{
-    settings.faults[0].kind = kind;
-    settings.faults[0].from_s = from_s;
-    return &settings.faults[0];
 }
 
 static size_t take(double gap_m)
@@ -208,7 +197,7 @@ static void test_that_a_sensor_that_is_off_sends_nothing_and_keeps_its_pace(void
 {
     int64_t first_ns;
 
-    fault(FAULT_OFF, 0)->for_s = 0.02;
+    fault(0, FAULT_OFF, 0)->for_s = 0.02;
     begin(1);
     first_ns = tfluna.due_ns; /* cppcheck-suppress unreadVariable; it cannot read the macro below */
     TEST_ASSERT_EQUAL(0, take(2));
@@ -220,7 +209,7 @@ static void test_that_a_sensor_that_is_off_sends_nothing_and_keeps_its_pace(void
 
 static void test_that_a_stuck_sensor_repeats_its_last_distance(void)
 {
-    fault(FAULT_STUCK, 0.01);
+    fault(0, FAULT_STUCK, 0.01);
     begin(1);
     take(3);
     take(2);
@@ -232,7 +221,7 @@ static void test_that_sunlight_sends_the_strength_65535(void)
 {
     int low_cm = 65535, high_cm = 0;
 
-    fault(FAULT_BLIND, 0)->for_s = 4;
+    fault(0, FAULT_BLIND, 0)->for_s = 4;
     begin(1);
     for (int i = 0; i < 300; i++) {
         TEST_ASSERT_EQUAL(TFLUNA_FRAME, take(2));
@@ -249,7 +238,7 @@ static void test_that_rain_takes_strength_and_adds_near_echoes(void)
 {
     int near = 0;
 
-    fault(FAULT_RAIN, 0)->scale = 0.2;
+    fault(0, FAULT_RAIN, 0)->scale = 0.2;
     settings.faults[0].share = 0;
     begin(1);
     take(8); /* 0.2 * 400 */
@@ -276,7 +265,7 @@ static void test_that_a_share_of_the_frames_has_a_wrong_sum(void)
 {
     int wrong = 0;
 
-    fault(FAULT_SUM, 0)->share = 0.25;
+    fault(0, FAULT_SUM, 0)->share = 0.25;
     begin(1);
     for (int i = 0; i < 10000; i++) {
         TEST_ASSERT_EQUAL(TFLUNA_FRAME, take(4));
@@ -291,7 +280,7 @@ static void test_that_a_torn_frame_lacks_any_of_its_bytes(void)
     static const uint8_t whole[] = {0x59, 0x59, 0x2C, 0x01, 0xB7, 0x05, 0xC8, 0x08, 0x6B};
     unsigned lost = 0;
 
-    fault(FAULT_TORN, 0);
+    fault(0, FAULT_TORN, 0);
     begin(1);
     for (int i = 0; i < 200; i++) {
         size_t at = 0;
@@ -319,7 +308,7 @@ static void test_that_a_fault_leaves_the_later_noise_alone(void)
     }
     healthy_cm = dist_cm();
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
-        fault(kinds[k], 0)->for_s = 0.1;
+        fault(0, kinds[k], 0)->for_s = 0.1;
         settings.faults[0].share = 0.5;
         begin(7);
         for (int i = 0; i < 20; i++) {

@@ -169,32 +169,24 @@ static void test_that_the_outline_must_be_within_the_place(void)
 static void test_that_each_corner_touches_its_wall(void)
 {
     const struct truck truck = truck_at(10, 20, pi / 6);
-    const struct lot open = {-INFINITY, INFINITY, -INFINITY, INFINITY};
     const double along = cos(pi / 6), across = sin(pi / 6), hair = 1e-6;
-    const double west = 10 - along - across, east = 10 + 3 * along + across;
-    const double south = 20 - across - along, north = 20 + 3 * across + along;
+    const struct lot open = {-INFINITY, INFINITY, -INFINITY, INFINITY};
     struct lot lot = open;
+    const struct {
+        double *wall_m, reach_m, outward;
+    } walls[] = {{&lot.west_m, 10 - along - across, -1},
+                 {&lot.east_m, 10 + 3 * along + across, 1},
+                 {&lot.south_m, 20 - across - along, -1},
+                 {&lot.north_m, 20 + 3 * across + along, 1}};
 
     TEST_ASSERT_FALSE(truck_touches(&truck, &open));
-    lot.west_m = west - hair;
-    TEST_ASSERT_FALSE(truck_touches(&truck, &lot));
-    lot.west_m = west + hair;
-    TEST_ASSERT_TRUE(truck_touches(&truck, &lot));
-    lot = open;
-    lot.east_m = east + hair;
-    TEST_ASSERT_FALSE(truck_touches(&truck, &lot));
-    lot.east_m = east - hair;
-    TEST_ASSERT_TRUE(truck_touches(&truck, &lot));
-    lot = open;
-    lot.south_m = south - hair;
-    TEST_ASSERT_FALSE(truck_touches(&truck, &lot));
-    lot.south_m = south + hair;
-    TEST_ASSERT_TRUE(truck_touches(&truck, &lot));
-    lot = open;
-    lot.north_m = north + hair;
-    TEST_ASSERT_FALSE(truck_touches(&truck, &lot));
-    lot.north_m = north - hair;
-    TEST_ASSERT_TRUE(truck_touches(&truck, &lot));
+    for (int i = 0; i < 4; i++) {
+        lot = open;
+        *walls[i].wall_m = walls[i].reach_m + walls[i].outward * hair;
+        TEST_ASSERT_FALSE(truck_touches(&truck, &lot));
+        *walls[i].wall_m = walls[i].reach_m - walls[i].outward * hair;
+        TEST_ASSERT_TRUE(truck_touches(&truck, &lot));
+    }
 }
 
 int main(void)

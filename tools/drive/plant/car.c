@@ -78,9 +78,9 @@ static double now_s(const struct car *car)
 }
 
 /* A car in another lane is passed. */
-static bool is_in_the_way(const struct target *target)
+static bool is_in_the_way(const struct car *car, int index)
 {
-    return target->there && fabs(target->lead.lane) < 0.5;
+    return car->targets[index].there && fabs(car->targets[index].lead.lane) < 0.5;
 }
 
 double car_target_gap_m(const struct car *car, int index)
@@ -99,23 +99,24 @@ double car_target_mps(const struct car *car, int index)
     return speed_mps;
 }
 
+/* Of two targets that are there: a car in the way comes first, else the nearer one. */
+static bool comes_first(const struct car *car, int index, int other)
+{
+    bool in_the_way = is_in_the_way(car, index);
+
+    return in_the_way == is_in_the_way(car, other)
+               ? car_target_gap_m(car, index) < car_target_gap_m(car, other)
+               : in_the_way;
+}
+
 int car_nearest(const struct car *car)
 {
     int nearest = -1;
 
-    for (int i = 0; i < car->target_count; i++) {
-        bool rather; /* than the nearest so far: a car in the way comes first */
-
-        if (!car->targets[i].there) {
-            continue;
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        if (car->targets[i].there && (nearest < 0 || comes_first(car, i, nearest))) {
+            nearest = i;
         }
-        rather = nearest < 0;
-        if (!rather && is_in_the_way(&car->targets[i]) == is_in_the_way(&car->targets[nearest])) {
-            rather = car_target_gap_m(car, i) < car_target_gap_m(car, nearest);
-        } else if (!rather) {
-            rather = is_in_the_way(&car->targets[i]);
-        }
-        nearest = rather ? i : nearest;
     }
     return nearest;
 }
@@ -139,8 +140,8 @@ static double obstacle_x_m(const struct car *car, double t_s, double *speed_mps)
 {
     double nearest_m = INFINITY, target_mps;
 
-    for (int i = 0; i < car->target_count; i++) {
-        if (is_in_the_way(&car->targets[i])) {
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        if (is_in_the_way(car, i)) {
             double x_m = target_x_m(&car->targets[i], t_s, &target_mps);
 
             if (x_m < nearest_m) {
@@ -155,7 +156,7 @@ static double obstacle_x_m(const struct car *car, double t_s, double *speed_mps)
 /* A target appears its gap_m ahead of the ego, wherever that is by then. */
 static void place_targets(struct car *car)
 {
-    for (int i = 0; i < car->target_count; i++) {
+    for (int i = 0; i < CAR_TARGETS; i++) {
         struct target *target = &car->targets[i];
 
         target->there = car_lead_is_there(&target->lead, now_s(car));
@@ -302,32 +303,25 @@ static void note_impact(struct car *car, const struct motion *start, double star
     car->record.min_gap_m = 0;
 }
 
-/* Returns the gap to the nearest target, INFINITY without one, and its speed, 0 without one. */
-static double note_gap(struct car *car, double *lead_mps)
+static void note_gap(struct car *car)
 {
     int nearest = car_nearest(car);
-    double gap_m;
 
-    *lead_mps = 0;
-    if (nearest < 0) {
-        return INFINITY;
+    if (nearest >= 0 && is_in_the_way(car, nearest)) {
+        car->record.min_gap_m = fmin(car->record.min_gap_m, car_target_gap_m(car, nearest));
     }
-    gap_m = target_x_m(&car->targets[nearest], now_s(car), lead_mps) - car->x_m;
-    if (is_in_the_way(&car->targets[nearest])) {
-        car->record.min_gap_m = fmin(car->record.min_gap_m, gap_m);
-    }
-    return gap_m;
 }
 
 static void note_step(struct car *car, const struct motion *end, double start_s, double t_s,
                       double accel_before_mps2)
 {
     struct car_record *record = &car->record;
-    double lead_mps, gap = note_gap(car, &lead_mps);
+    double lead_mps = car_lead_mps(car);
 
+    note_gap(car);
     if (isfinite(end->rest_s)) {
         record->rest_s = start_s + end->rest_s;
-        record->rest_gap_m = gap;
+        record->rest_gap_m = car_gap_m(car);
         if (record->rest_s >= car->event_s) {
             record->first_rest_s = fmin(record->first_rest_s, record->rest_s);
         }
@@ -375,15 +369,10 @@ static void step(struct car *car, int64_t t_ns)
 
 void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
 {
-    double gap_m, lead_mps;
-
     memset(car, 0, sizeof *car);
     car->ego = scenario->ego;
     for (int i = 0; i < CAR_TARGETS; i++) {
         car->targets[i].lead = scenario->leads[i];
-        if (scenario->leads[i].present) {
-            car->target_count = i + 1;
-        }
     }
     car->event_s = scenario->event_s;
     car->step_ns = step_ns;
@@ -398,9 +387,10 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
                                       .first_rest_s = INFINITY,
                                       .still_s = INFINITY};
     place_targets(car);
-    gap_m = note_gap(car, &lead_mps);
+    note_gap(car);
     if (car->v_mps <= 0) { /* at rest on its mark */
-        car->record.rest_s = car->record.first_rest_s = 0, car->record.rest_gap_m = gap_m;
+        car->record.rest_s = car->record.first_rest_s = 0;
+        car->record.rest_gap_m = car_gap_m(car);
     }
 }
 
@@ -429,7 +419,7 @@ static int64_t step_end_ns(struct car *car, int64_t t_ns)
     if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end) {
         end = car->demands[car->first_demand].at_ns;
     }
-    for (int i = 0; i < car->target_count; i++) {
+    for (int i = 0; i < CAR_TARGETS; i++) {
         end = sooner(car, car->targets[i].lead.appears_s, end);
         end = sooner(car, car->targets[i].lead.leaves_s, end);
     }

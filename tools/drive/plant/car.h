@@ -35,7 +35,6 @@ struct car_record {
 struct car {
     struct ego ego;
     struct target targets[CAR_TARGETS];
-    int target_count; /* the targets that the scenario has are among the first ones */
     double event_s;
     int64_t now_ns, step_ns;
     int64_t grid_ns;   /* the next whole step after now */

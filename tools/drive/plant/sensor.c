@@ -115,15 +115,18 @@ static double end_s(const struct fault *fault)
                                                            : fault->from_s + fault->for_s;
 }
 
-bool fault_is_active(const struct fault *fault, double t_s)
+bool sensing_fault_acts(const struct sensing *sensing, int index, double t_s)
 {
-    return fault->kind >= 0 && t_s >= fault->from_s && t_s < end_s(fault);
+    return sensing->faults[index].kind >= 0 && t_s >= sensing->faults[index].from_s &&
+           t_s < end_s(&sensing->faults[index]);
 }
 
 /* Does the fault keep the sensor silent now? An intermittent one begins with its off time. */
-static bool is_off(const struct fault *fault, double t_s)
+static bool is_off(const struct sensing *sensing, int index, double t_s)
 {
-    if (!fault_is_active(fault, t_s)) {
+    const struct fault *fault = &sensing->faults[index];
+
+    if (!sensing_fault_acts(sensing, index, t_s)) {
         return false;
     }
     if (fault->kind == FAULT_INTERMITTENT) {
@@ -138,7 +141,7 @@ bool sensing_is_silenced(const struct sensing *sensing, double t_s, bool *level)
 
     *level = false;
     for (int i = 0; i < SENSOR_FAULTS; i++) {
-        if (is_off(&sensing->faults[i], t_s)) {
+        if (is_off(sensing, i, t_s)) {
             silenced = true;
             *level |= sensing->faults[i].kind == FAULT_HIGH || sensing->faults[i].line == 1;
         }
@@ -155,7 +158,7 @@ int64_t sensing_boundary_ns(const struct sensing *sensing, int64_t t_ns)
         double t_s = (double)t_ns * 1e-9, cycle_s = fault->on_s + fault->off_s;
         double marks_s[4] = {fault->from_s, end_s(fault), INFINITY, INFINITY};
 
-        if (fault->kind < 0) {
+        if (sensing->faults[i].kind < 0) {
             continue;
         }
         if (fault->kind == FAULT_INTERMITTENT) {
@@ -197,20 +200,21 @@ static struct reading measure(struct sensing *sensing, double gap_m)
 }
 
 /* A drop of rain near the lens, sometimes. */
-static struct reading rain_on(struct sensing *sensing, const struct fault *fault,
-                              struct reading reading)
+static void rain_on(struct sensing *sensing, const struct fault *fault, struct reading *reading)
 {
     static const double near_m = 1;
     double far_m = fault->dist_m < 0 ? near_m : fault->dist_m;
     bool is_drop = random_uniform(&sensing->rain) < fault->share;
     double dist_m = random_uniform(&sensing->rain) * far_m;
 
-    return is_drop ? (struct reading){READ_TARGET, fmax(dist_m, sensor_min_m(&sensing->sensor))}
-                   : reading;
+    if (is_drop) {
+        *reading = (struct reading){READ_TARGET, fmax(dist_m, sensor_min_m(&sensing->sensor))};
+    }
 }
 
-static struct reading spoil(struct sensing *sensing, int index, struct reading reading,
-                            int64_t t_ns, double garbage)
+/* What a fault whose time it is makes of a reading; GARBAGE is at random, 0..1. */
+static void spoil(struct sensing *sensing, int index, int64_t t_ns, double garbage,
+                  struct reading *reading)
 {
     const struct fault *fault = &sensing->faults[index];
 
@@ -219,35 +223,37 @@ static struct reading spoil(struct sensing *sensing, int index, struct reading r
         if (sensing->stuck_m[index] < 0 && sensing->last_m >= 0) {
             sensing->stuck_m[index] = sensing->last_m;
         } else if (sensing->stuck_m[index] < 0) {
-            sensing->stuck_m[index] = reading.kind == READ_TARGET ? reading.dist_m : INFINITY;
+            sensing->stuck_m[index] = reading->kind == READ_TARGET ? reading->dist_m : INFINITY;
         }
-        return isinf(sensing->stuck_m[index])
-                   ? (struct reading){READ_NONE, INFINITY}
-                   : (struct reading){READ_TARGET, sensing->stuck_m[index]};
+        reading->kind = isinf(sensing->stuck_m[index]) ? READ_NONE : READ_TARGET;
+        reading->dist_m = sensing->stuck_m[index];
+        break;
     case FAULT_GARBAGE:
-        return (struct reading){READ_TARGET, garbage * sensing->garbage_m};
+        *reading = (struct reading){READ_TARGET, garbage * sensing->garbage_m};
+        break;
     case FAULT_WRONG:
-        reading.dist_m =
-            fmax(reading.dist_m * fault->scale + fault->offset_m, sensor_min_m(&sensing->sensor));
-        return reading;
+        reading->dist_m =
+            fmax(reading->dist_m * fault->scale + fault->offset_m, sensor_min_m(&sensing->sensor));
+        break;
     case FAULT_SLOW:
         if (sensing->answered_ns != INT64_MIN &&
             (double)(t_ns - sensing->answered_ns) * 1e-9 < fault->period_s) {
-            reading.kind = READ_SILENT;
+            reading->kind = READ_SILENT;
         } else {
             sensing->answered_ns = t_ns;
         }
-        return reading;
+        break;
     case FAULT_GLITCH:
-        if (sensing->glitches_left[index] == 0) {
-            return reading;
+        if (sensing->glitches_left[index] > 0) {
+            sensing->glitches_left[index]--;
+            *reading = (struct reading){READ_TARGET, fault->dist_m};
         }
-        sensing->glitches_left[index]--;
-        return (struct reading){READ_TARGET, fault->dist_m};
+        break;
     case FAULT_RAIN:
-        return rain_on(sensing, fault, reading);
-    default:
-        return reading;
+        rain_on(sensing, fault, reading);
+        break;
+    default: /* the line's, or in the frame */
+        break;
     }
 }
 
@@ -257,7 +263,7 @@ static double delay_s(const struct sensing *sensing, double t_s)
     double delay = 0;
 
     for (int i = 0; i < SENSOR_FAULTS; i++) {
-        if (sensing->faults[i].kind == FAULT_DELAYED && fault_is_active(&sensing->faults[i], t_s)) {
+        if (sensing->faults[i].kind == FAULT_DELAYED && sensing_fault_acts(sensing, i, t_s)) {
             delay += sensing->faults[i].delay_s;
         }
     }
@@ -271,8 +277,8 @@ struct reading sensing_read(struct sensing *sensing, int64_t t_ns, double gap_m)
     struct reading reading = measure(sensing, delay > 0 ? past_gap_m(sensing, t_s - delay) : gap_m);
 
     for (int i = 0; i < SENSOR_FAULTS; i++) {
-        if (fault_is_active(&sensing->faults[i], t_s)) {
-            reading = spoil(sensing, i, reading, t_ns, garbage);
+        if (sensing_fault_acts(sensing, i, t_s)) {
+            spoil(sensing, i, t_ns, garbage, &reading);
         }
     }
     return reading;

@@ -142,8 +142,8 @@ void sensing_note(struct sensing *sensing, const struct reading *reading);
 /* Is the sensor silent, and at which level does its line rest then? */
 bool sensing_is_silenced(const struct sensing *sensing, double t_s, bool *level);
 
-/* Whether it is this fault's time. */
-bool fault_is_active(const struct fault *fault, double t_s);
+/* Whether the fault of that INDEX (0 .. SENSOR_FAULTS - 1) is there, and it is its time. */
+bool sensing_fault_acts(const struct sensing *sensing, int index, double t_s);
 
 /* The next time after T_NS at which a fault begins or ends; INT64_MAX: none. */
 int64_t sensing_boundary_ns(const struct sensing *sensing, int64_t t_ns);

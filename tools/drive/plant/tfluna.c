@@ -100,7 +100,7 @@ static bool strikes(struct tfluna *tfluna, enum fault_kind kind, double t_s)
     for (int i = 0; i < SENSOR_FAULTS; i++) {
         const struct fault *fault = &tfluna->sensing.faults[i];
 
-        if (fault->kind == (int)kind && fault_is_active(fault, t_s)) {
+        if (sensing_fault_acts(&tfluna->sensing, i, t_s) && fault->kind == (int)kind) {
             found |= kind == FAULT_BLIND || random_uniform(&tfluna->chance) < fault->share;
         }
     }
@@ -115,7 +115,7 @@ static double rain_scale(const struct tfluna *tfluna, double t_s)
     for (int i = 0; i < SENSOR_FAULTS; i++) {
         const struct fault *fault = &tfluna->sensing.faults[i];
 
-        if (fault->kind == FAULT_RAIN && fault_is_active(fault, t_s)) {
+        if (sensing_fault_acts(&tfluna->sensing, i, t_s) && fault->kind == FAULT_RAIN) {
             scale *= fault->scale;
         }
     }

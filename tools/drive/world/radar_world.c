@@ -335,7 +335,10 @@ static void measure_all(struct world *world, uint8_t payload[HEAD_PAYLOAD_MAX])
     int places = (int)world->settings.front.targets, nearest = car_nearest(&world->rig.car);
 
     world->seen.target = false;
-    for (int i = 0; i < world->rig.car.target_count; i++) {
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        if (!world->rig.car.targets[i].lead.present) {
+            continue;
+        }
         sights[i] = look(world, i);
         add_noise(world, &sights[i]);
         if (i == nearest) {
