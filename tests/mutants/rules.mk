@@ -35,7 +35,7 @@ sensors_FILES      := $(addprefix tools/drive/plant/,head.c sensor.c sonar.c tfl
 plants_FILES       := $(filter-out %_keys.c $(sensors_FILES),$(wildcard tools/drive/plant/*.c))
 expectations_FILES := $(addprefix tools/drive/,scenario/expect.c world/pace.c world/rig.c)
 bound_FILES        := $(filter-out %/main.c,$(wildcard tools/bound/*.c))
-bound_TESTS        := tests/tools/test_bound.c
+bound_TESTS        := $(filter-out %_runs.c,$(wildcard tests/tools/test_bound*.c))
 mcs52_FILES        := $(wildcard tools/drive/sim/mcs52*.c)
 mcs52_TESTS        := $(wildcard tests/tools/test_mcs52*.c)
 # Where there are many thousands of mutants, so many percent of them, drawn by chance.
@@ -52,7 +52,7 @@ $(MUTANT_DIR)/$(1)/%.i: MUTANT_FLAGS := $$(TOOL_MUTANT_FLAGS)
 $$($(1)_PROGRAMS): $(MUTANT_DIR)/$(1)/%: $(MUTANT_DIR)/plain/%.o $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o) $(MUTANT_DIR)/plain/tools.a
 endef
 # A case takes a second at most: with fewer rounds than it has in `make test`.
-TOOL_MUTANT_FLAGS = -DMCS52_STATES=200 -DBOUND_STEPS_MAX=20000 $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
+TOOL_MUTANT_FLAGS = -DMCS52_STATES=200 $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
 $(foreach room,$(TOOL_ROOMS),$(eval $(call tool_room,$(room))))
 $(MUTANT_DIR)/plain/%.o: %.c | build/boards.h build/worlds.h
 	@mkdir -p $(@D)

@@ -179,20 +179,17 @@ static bool follow_call(struct flow *flow, struct function *function, const stru
     return true;
 }
 
-bool graph_step(const struct flow *flow, const struct node *node, struct values *values)
+void graph_step(const struct flow *flow, const struct node *node, struct values *values)
 {
     const uint8_t *code = &flow->hex->code[node->address];
 
     if (node->it.writes_sp && code[0] == 0x75) { /* the start-up sets the stack pointer */
-        return true;
+        return;
     }
-    if (!values_step(values, &flow->world, node->address, &node->it)) {
-        return false;
-    }
+    values_step(values, &flow->world, node->address);
     if (node->it.course == COURSE_CALL) {
         values_return(values, flow->functions[node->it.target]->is_changed);
     }
-    return true;
 }
 
 /* Notes that the start-up code sets the stack pointer. */
@@ -227,18 +224,15 @@ static bool note_effects(struct flow *flow, struct function *function, const str
         return false;
     }
     flow->entry = function->nodes[1].address;
-    if (code[0] == 0xD0 && node->depth == 0) {
-        return graph_complain(flow, node->address, "pops what it has not pushed");
-    }
-    if (!graph_step(flow, node, values)) {
-        return graph_complain(flow, node->address,
-                              "the stack pointer is set to what is not known here; do without "
-                              "longjmp and without variables of changing size");
-    }
+    graph_step(flow, node, values);
     after = values_depth(values);
-    if (after < 0) {
-        return graph_complain(flow, node->address,
-                              "takes more from the stack than it has put there");
+    if (after < 0 || after > VALUES_DEPTH_MAX) {
+        return graph_complain(
+            flow, node->address,
+            after == VALUES_LOST ? "the stack pointer is set to what is not known here; do without "
+                                   "longjmp and without variables of changing size"
+            : after < 0          ? "takes more from the stack than it has put there"
+                                 : "this function has too much on the stack");
     }
     if (after > function->stack) {
         function->stack = after;
@@ -306,10 +300,8 @@ static bool visit(struct settling *work, int at)
     if (!flow->hex->used[node.address]) {
         return graph_complain(flow, node.address, "runs out of the code");
     }
-    if (depth < 0 || depth >= VALUES_SLOTS) {
-        return graph_complain(flow, node.address,
-                              depth < 0 ? "is reached with different stacks"
-                                        : "this function has too much on the stack");
+    if (depth == VALUES_LOST) {
+        return graph_complain(flow, node.address, "is reached with different stacks");
     }
     node.depth = depth;
     node.it = opcode_decode(flow->hex->code, node.address);
@@ -319,9 +311,6 @@ static bool visit(struct settling *work, int at)
     }
     if (!note_effects(flow, function, &node, &values)) {
         return false;
-    }
-    if (node.it.course == COURSE_RETURN && count > 0) {
-        values_drop(&values, FLOW_RETURN_ADDRESS);
     }
     node.returns = count == 0; /* or starts the program again, which is taken for a return */
     memset(&flow->is_code[node.address], true, node.it.bytes);
@@ -501,6 +490,7 @@ void flow_init(struct flow *flow, const struct hexfile *hex, const struct listin
     flow->listing = listing;
     flow->path = path;
     flow->stack_base = -1;
+    flow->steps_max = 2000000;
 }
 
 void flow_free(struct flow *flow)

@@ -32,6 +32,8 @@ struct flow {
     uint16_t owners[HEX_CODE_SIZE]; /* of such a call: the function that it is in */
     long rounds[HEX_CODE_SIZE];     /* of each loop of the function at this address; 0: not given */
     uint16_t entry;                 /* of the function that is looked at */
+    long
+        steps_max; /* instructions that a loop is followed for, to count its rounds; some seconds */
     struct values_world world;
     uint8_t high; /* interrupts of the high priority level: bits as in vectors */
 };

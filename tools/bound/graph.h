@@ -41,7 +41,7 @@ bool graph_settle(struct flow *flow, struct function *function);
 void graph_forget(struct function *function);
 
 /* VALUES becomes what is known after the instruction NODE, with what it calls. */
-bool graph_step(const struct flow *flow, const struct node *node, struct values *values);
+void graph_step(const struct flow *flow, const struct node *node, struct values *values);
 
 /* Says what stops bound at ADDRESS; returns false. */
 bool graph_complain(const struct flow *flow, uint16_t address, const char *what);

@@ -4,127 +4,99 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef BOUND_STEPS_MAX
-#define BOUND_STEPS_MAX 2000000 /* instructions of all rounds: some seconds */
-#endif
-
-enum { STEPS_MAX = BOUND_STEPS_MAX };
+/* A node of the loop. */
+struct place {
+    bool is_member, is_reached, is_queued;
+    struct values before; /* in this round, once it is reached; of the header: in the next one */
+};
 
 /* One loop that is taken round by round. */
 struct turning {
     const struct flow *flow;
     const struct function *function;
     int header;
-    bool *is_member;
-    int *ways;             /* edges to each node */
-    struct values *before; /* of the nodes with several ways to them, in this round */
-    bool *is_reached;
-    bool *is_queued;
+    struct place *places; /* of all nodes of the function */
     int *queue;
     int queued;
-    struct values back; /* what is known when the header is reached again */
-    bool goes_back;
     long steps;
 };
 
+/* Tells the node AT what is known on one of the ways to it. */
 static void tell(struct turning *turning, int at, const struct values *values)
 {
-    if (at == turning->header) {
-        if (!turning->goes_back) {
-            turning->back = *values;
-            turning->goes_back = true;
-        } else {
-            values_merge(&turning->back, values);
-        }
+    struct place *place = &turning->places[at];
+
+    if (!place->is_reached) {
+        place->before = *values;
+        place->is_reached = true;
+    } else if (!values_merge(&place->before, values)) {
         return;
     }
-    if (!turning->is_reached[at]) {
-        turning->before[at] = *values;
-        turning->is_reached[at] = true;
-    } else if (!values_merge(&turning->before[at], values)) {
-        return;
-    }
-    if (!turning->is_queued[at]) {
-        turning->is_queued[at] = true;
+    if (at != turning->header && !place->is_queued) {
+        place->is_queued = true;
         turning->queue[turning->queued++] = at;
     }
 }
 
-/* Follows the instructions from AT on, while there is one way to go that no other way meets. */
-static bool run(struct turning *turning, int at, struct values *values)
+/* Takes the instruction AT with VALUES before it. Returns false if the steps are used up, or
+ * where the stack is lost. */
+static bool step(struct turning *turning, int at, struct values values)
 {
     const struct function *function = turning->function;
+    const struct node *node = &function->nodes[at];
+    bool may_go[2] = {true, true}, is_branch = node->it.course == COURSE_BRANCH;
 
-    for (;;) {
-        const struct node *node = &function->nodes[at];
-        bool may_go[2] = {true, true};
-        int next = NONE, ways = 0;
-
-        if (turning->steps++ > STEPS_MAX || !node->is_known) {
-            return false;
-        }
-        if (!graph_step(turning->flow, node, values)) {
-            return false;
-        }
-        if (node->it.course == COURSE_BRANCH) {
-            values_branch(values, &turning->flow->world, node->address, &may_go[0], &may_go[1]);
-        } else if (node->it.course == COURSE_RETURN && node->count > 0) {
-            values_drop(values, FLOW_RETURN_ADDRESS);
-        }
-        for (int i = 0; i < node->count; i++) {
-            int to = function->successors[node->first + i];
-
-            if ((node->it.course != COURSE_BRANCH || may_go[i]) && turning->is_member[to]) {
-                next = to;
-                ways++;
-            }
-        }
-        if (ways == 1 && next != turning->header && turning->ways[next] == 1) {
-            at = next;
-            continue;
-        }
-        for (int i = 0; i < node->count; i++) {
-            int to = function->successors[node->first + i];
-
-            if ((node->it.course != COURSE_BRANCH || may_go[i]) && turning->is_member[to]) {
-                tell(turning, to, values);
-            }
-        }
-        return true;
+    graph_step(turning->flow, node, &values);
+    if (++turning->steps > turning->flow->steps_max || values_depth(&values) == VALUES_LOST) {
+        return false;
     }
+    if (is_branch) {
+        values_branch(&values, &turning->flow->world, node->address, &may_go[0], &may_go[1]);
+    }
+    for (int i = 0; i < node->count; i++) {
+        int to = function->successors[node->first + i];
+
+        if (turning->places[to].is_member && (!is_branch || may_go[i])) {
+            tell(turning, to, &values);
+        }
+    }
+    return true;
 }
 
-/* One round, from the header on, with VALUES before it. */
-static bool turn(struct turning *turning, struct values *values)
+/* One round, from the header back to it. */
+static bool turn(struct turning *turning)
 {
-    bool is_good;
+    struct values values = turning->places[turning->header].before;
 
-    memset(turning->is_reached, false, (size_t)turning->function->node_count);
-    turning->goes_back = false;
-    is_good = run(turning, turning->header, values);
-    while (is_good && turning->queued > 0) {
-        int at = turning->queue[--turning->queued];
-        struct values before = turning->before[at];
-
-        turning->is_queued[at] = false;
-        is_good = run(turning, at, &before);
+    for (int i = 0; i < turning->function->node_count; i++) {
+        turning->places[i].is_reached = false;
     }
-    return is_good;
+    if (!step(turning, turning->header, values)) {
+        return false;
+    }
+    while (turning->queued > 0) {
+        int at = turning->queue[--turning->queued];
+
+        turning->places[at].is_queued = false;
+        if (!step(turning, at, turning->places[at].before)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* What is known when the loop is entered from outside. */
-static void enter(const struct turning *turning, struct values *values)
+static void enter(struct turning *turning)
 {
     const struct function *function = turning->function;
 
-    memset(values, 0, sizeof *values);
     for (int i = 0; i < function->node_count; i++) {
         const struct node *node = &function->nodes[i];
 
         for (int k = node->first; k < node->first + node->count; k++) {
             struct values after;
 
-            if (function->successors[k] != turning->header || turning->is_member[i]) {
+            if (function->successors[k] != turning->header || turning->places[i].is_member) {
                 continue;
             }
             if (i == 0) {
@@ -133,60 +105,50 @@ static void enter(const struct turning *turning, struct values *values)
                 after = function->before[i];
                 graph_step(turning->flow, node, &after);
             }
-            values_merge(values, &after);
+            values_merge(&turning->places[turning->header].before, &after);
         }
     }
 }
 
-static void *allocate(int count, size_t size)
+/* Goes round until there is no way back to the header. */
+static long count_rounds(struct turning *turning)
 {
-    void *room = calloc((size_t)count, size);
+    struct place *header = &turning->places[turning->header];
 
-    if (room == NULL) {
-        abort();
+    for (long rounds = 0;; rounds++) {
+        struct values before = header->before;
+
+        if (!turn(turning)) {
+            return NONE;
+        }
+        if (!header->is_reached) {
+            return rounds;
+        }
+        if (values_equal(&before, &header->before)) { /* it turns for ever */
+            return NONE;
+        }
     }
-    return room;
 }
 
 long rounds_count(const struct flow *flow, const struct function *function, const int *members,
                   int count, int header)
 {
-    int nodes = function->node_count;
     struct turning turning = {.flow = flow, .function = function, .header = header};
-    struct values values;
-    long rounds = 0;
-    bool is_good = true;
+    long rounds;
 
-    turning.is_member = allocate(nodes, sizeof *turning.is_member);
-    turning.ways = allocate(nodes, sizeof *turning.ways);
-    turning.before = allocate(nodes, sizeof *turning.before);
-    turning.is_reached = allocate(nodes, sizeof *turning.is_reached);
-    turning.is_queued = allocate(nodes, sizeof *turning.is_queued);
-    turning.queue = allocate(nodes, sizeof *turning.queue);
+    turning.places = calloc((size_t)function->node_count, sizeof *turning.places);
+    turning.queue = calloc((size_t)function->node_count, sizeof *turning.queue);
+    if (turning.places == NULL || turning.queue == NULL) {
+        abort();
+    }
     for (int i = 0; i < count; i++) {
-        turning.is_member[members[i]] = true;
+        turning.places[members[i]].is_member = true;
     }
-    for (int i = 0; i < function->successor_count; i++) {
-        turning.ways[function->successors[i]]++;
-    }
-    enter(&turning, &values);
-    do {
-        struct values before = values;
-
-        is_good = turn(&turning, &values);
-        if (is_good && turning.goes_back) {
-            rounds++;
-            is_good = !values_equal(&before, &turning.back); /* else it turns for ever */
-            values = turning.back;
-        }
-    } while (is_good && turning.goes_back);
-    free(turning.is_member);
-    free(turning.ways);
-    free(turning.before);
-    free(turning.is_reached);
-    free(turning.is_queued);
+    enter(&turning);
+    rounds = count_rounds(&turning);
+    free(turning.places);
     free(turning.queue);
-    return is_good ? rounds : NONE;
+    return rounds;
 }
 
 long rounds_of_library(const char *name)

@@ -3,7 +3,12 @@
 
 #include <string.h>
 
-enum { SP = 0x81, DPL = 0x82, DPH = 0x83, PSW = 0xD0, ACC = 0xE0, B = 0xF0, RAM = 0x80 };
+enum { SP = 0x81, DPL = 0x82, DPH = 0x83, PSW = 0xD0, ACC = 0xE0, B = 0xF0 };
+enum {
+    REGISTERS = 0x20, /* of all banks */
+    RAM = 0x80,       /* that has direct addresses */
+    BELOW = 0xC0      /* an offset of the stack pointer from here on is negative */
+};
 
 static const struct value any = {.kind = VALUE_ANY};
 
@@ -22,11 +27,19 @@ static bool is_const(struct value a)
     return a.kind == VALUE_CONST;
 }
 
-/* The other special function registers belong to the hardware. */
 static bool is_followed(const struct values_world *world, int byte)
 {
-    return !world->is_shared[byte] && (byte < RAM || byte == SP || byte == DPL || byte == DPH ||
-                                       byte == PSW || byte == ACC || byte == B);
+    switch (byte) {
+    case SP:
+    case DPL:
+    case DPH:
+    case PSW:
+    case ACC:
+    case B:
+        return !world->is_shared[byte];
+    default: /* the other special function registers belong to the hardware */
+        return !world->is_shared[byte] && byte < RAM;
+    }
 }
 
 void values_world_init(struct values_world *world, const uint8_t *code)
@@ -74,12 +87,8 @@ bool values_equal(const struct values *a, const struct values *b)
 
 bool values_merge(struct values *values, const struct values *other)
 {
-    bool is_less;
+    bool is_less = merge(&values->carry, other->carry);
 
-    if (values_equal(values, other)) {
-        return false; /* as most often */
-    }
-    is_less = merge(&values->carry, other->carry);
     for (int i = 0; i < VALUES_BYTES; i++) {
         is_less |= merge(&values->byte[i], other->byte[i]);
     }
@@ -93,7 +102,10 @@ int values_depth(const struct values *values)
 {
     struct value sp = values->byte[SP];
 
-    return sp.kind == VALUE_ENTRY && sp.place == SP ? (int8_t)sp.number : -1;
+    if (sp.kind != VALUE_ENTRY || sp.place != SP) {
+        return VALUES_LOST;
+    }
+    return sp.number < BELOW ? sp.number : sp.number - 0x100;
 }
 
 /* --- reading and writing --------------------------------------------------------------- */
@@ -104,10 +116,10 @@ static int bank_of(const struct values *values)
 {
     struct value psw = values->byte[PSW];
 
-    if (psw.kind == VALUE_ENTRY && psw.place == PSW && psw.number == 0) {
+    if (psw.kind == VALUE_ENTRY && psw.place == PSW) {
         return 0;
     }
-    return is_const(psw) ? psw.number & 0x18 : -1;
+    return is_const(psw) ? psw.number : -1;
 }
 
 /* A direct byte. Of the PSW only the bank is followed, not the flags. */
@@ -126,6 +138,15 @@ static struct value get_register(const struct values *values, int n)
 static void set_byte(struct values *values, const struct values_world *world, int byte,
                      struct value value)
 {
+    if (byte == PSW) {
+        values->carry = any;
+        if (is_const(value)) {
+            value = (struct value){VALUE_CONST, PSW, value.number & 0x18};
+        }
+    }
+    if ((byte == PSW) != (value.place == PSW)) {
+        value = any;
+    }
     values->byte[byte] = is_followed(world, byte) ? value : any;
 }
 
@@ -134,13 +155,12 @@ static void set_register(struct values *values, const struct values_world *world
 {
     int bank = bank_of(values);
 
-    for (int i = n; i < 0x20; i += 8) { /* without a known bank: any of the four */
-        if (bank < 0) {
-            values->byte[i] = any;
-        }
-    }
     if (bank >= 0) {
         set_byte(values, world, bank + n, value);
+        return;
+    }
+    for (int i = n; i < REGISTERS; i += 8) { /* of any of the banks */
+        values->byte[i] = any;
     }
 }
 
@@ -156,7 +176,7 @@ static void set_indirect(struct values *values, const struct values_world *world
             set_byte(values, world, pointer.number, value);
         }
     } else if (pointer.kind == VALUE_ENTRY && pointer.place == SP) {
-        if (pointer.number >= 1 && pointer.number < VALUES_SLOTS) {
+        if (pointer.number < VALUES_SLOTS) {
             values->slot[pointer.number] = any;
         }
     } else {
@@ -173,34 +193,6 @@ static struct value get_indirect(const struct values *values, int n)
     struct value pointer = get_register(values, n);
 
     return is_const(pointer) && pointer.number < RAM ? values->byte[pointer.number] : any;
-}
-
-static bool push(struct values *values, struct value value)
-{
-    int depth = values_depth(values) + 1;
-
-    if (depth <= 0) {
-        return false;
-    }
-    values->byte[SP].number = (uint16_t)depth;
-    if (depth < VALUES_SLOTS) {
-        values->slot[depth] = value;
-    }
-    return true;
-}
-
-static struct value pop(struct values *values)
-{
-    int depth = values_depth(values);
-    struct value value = depth > 0 && depth < VALUES_SLOTS ? values->slot[depth] : any;
-
-    values_drop(values, 1);
-    return value;
-}
-
-void values_drop(struct values *values, int count)
-{
-    values->byte[SP].number = (uint16_t)(values->byte[SP].number - count) & 0xFF;
 }
 
 /* --- arithmetic ----------------------------------------------------------------------------- */
@@ -364,14 +356,28 @@ static void set_operand(struct values *values, const struct values_world *world,
     }
 }
 
+/* A constant of two bytes. */
+static struct value wide(unsigned number)
+{
+    return (struct value){.kind = VALUE_CONST, .number = (uint16_t)number};
+}
+
+static struct value low_half(struct value wide)
+{
+    return is_const(wide) ? constant(wide.number) : any;
+}
+
+static struct value high_half(struct value wide)
+{
+    return is_const(wide) ? constant((unsigned)wide.number >> 8) : any;
+}
+
+/* The data pointer. */
 static struct value pair(const struct values *values)
 {
     struct value low = values->byte[DPL], high = values->byte[DPH];
 
-    return is_const(low) && is_const(high)
-               ? (struct value){.kind = VALUE_CONST,
-                                .number = (uint16_t)(high.number << 8 | low.number)}
-               : any;
+    return is_const(low) && is_const(high) ? wide((unsigned)high.number << 8 | low.number) : any;
 }
 
 /* An unknown byte of the table at BASE. */
@@ -380,112 +386,147 @@ static struct value table_at(unsigned base)
     return (struct value){.kind = VALUE_TABLE, .number = (uint16_t)base};
 }
 
-/* Opcodes whose low half is 0..3. Jumps change nothing. */
-static bool step_single(struct values *values, const struct values_world *world, uint16_t address)
+/* Returns whether OPCODE changes nothing but the accumulator, B and the carry. */
+static bool step_accumulator(struct values *values, uint8_t opcode)
 {
-    const uint8_t *code = &world->code[address];
-    struct value pointer;
+    struct value a = values->byte[ACC], b = values->byte[B], product = any;
 
-    switch (code[0]) {
-    case 0x03:
-    case 0x13:
-        rotate(values, false, code[0] == 0x13);
-        break;
+    switch (opcode) {
+    case 0x03: /* rr, rl; rrc, rlc */
     case 0x23:
+    case 0x13:
     case 0x33:
-        rotate(values, true, code[0] == 0x33);
-        break;
-    case 0x42:
-    case 0x52:
-    case 0x62:
-        set_byte(values, world, code[1],
-                 combine(code[0] >> 4, get_byte(values, code[1]), values->byte[ACC]));
-        break;
-    case 0x43:
-    case 0x53:
-    case 0x63:
-        set_byte(values, world, code[1],
-                 combine(code[0] >> 4, get_byte(values, code[1]), constant(code[2])));
-        break;
+        rotate(values, (opcode & 0x20) != 0, (opcode & 0x10) != 0);
+        return true;
+    case 0x84: /* div */
+        values->byte[ACC] = values->byte[B] = any;
+        values->carry = constant(0);
+        return true;
+    case 0xA4: /* mul */
+        if (is_const(a) && is_const(b)) {
+            product = wide((unsigned)a.number * b.number);
+        }
+        values->byte[ACC] = low_half(product);
+        values->byte[B] = high_half(product);
+        values->carry = constant(0);
+        return true;
+    case 0xC4: /* swap */
+        values->byte[ACC] =
+            is_const(a) ? constant((unsigned)a.number << 4 | (unsigned)a.number >> 4) : any;
+        return true;
+    case 0xD4: /* da */
+        values->byte[ACC] = values->carry = any;
+        return true;
+    case 0xE0: /* movx */
+    case 0xE2:
+    case 0xE3:
+        values->byte[ACC] = any;
+        return true;
+    case 0xE4: /* clr */
+        values->byte[ACC] = constant(0);
+        return true;
+    case 0xF4: /* cpl */
+        values->byte[ACC] = is_const(a) ? constant(~(unsigned)a.number) : any;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* Returns whether this is an instruction of bits. */
+static bool step_bit(struct values *values, const struct values_world *world, const uint8_t *code)
+{
+    switch (code[0]) {
     case 0x10: /* jbc: afterwards the bit is 0 either way */
     case 0xC2:
         set_bit(values, world, code[1], constant(0));
-        break;
+        return true;
     case 0xD2:
         set_bit(values, world, code[1], constant(1));
-        break;
+        return true;
     case 0xB2:
         set_bit(values, world, code[1], invert(get_bit(values, code[1])));
-        break;
+        return true;
     case 0x92:
         set_bit(values, world, code[1], values->carry);
-        break;
+        return true;
     case 0xA2:
         values->carry = get_bit(values, code[1]);
-        break;
-    case 0xC3:
-        values->carry = constant(0);
-        break;
-    case 0xD3:
-        values->carry = constant(1);
-        break;
+        return true;
     case 0xB3:
         values->carry = invert(values->carry);
-        break;
-    case 0x72:
+        return true;
+    case 0xC3:
+        values->carry = constant(0);
+        return true;
+    case 0xD3:
+        values->carry = constant(1);
+        return true;
+    case 0x72: /* orl c, anl c */
     case 0x82:
     case 0xA0:
-    case 0xB0: /* orl c, anl c */
+    case 0xB0:
         values->carry = any;
-        break;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* Returns whether this is an instruction of the stack, of the data pointer or of tables in code. */
+static bool step_address(struct values *values, const struct values_world *world, uint16_t address)
+{
+    const uint8_t *code = &world->code[address];
+    struct value pointer = pair(values);
+    int depth = values_depth(values);
+
+    switch (code[0]) {
+    case 0xC0: /* push: of the stack pointer itself, what it is afterwards */
+        values->byte[SP].number++;
+        values->slot[depth + 1] = values->byte[code[1]];
+        return true;
+    case 0xD0:
+        values->byte[SP] = plus(values->byte[SP], -1);
+        set_byte(values, world, code[1], values->slot[depth]);
+        return true;
+    case 0x22: /* ret, reti: of a switch, a jump to an address that it has pushed */
+    case 0x32:
+        if (depth >= 2) {
+            values->byte[SP].number -= 2;
+        }
+        return true;
     case 0x83: /* movc a,@a+pc; before it `add a,#(table - next)` */
         values->byte[ACC] =
             address >= 2 && code[-2] == 0x24 ? table_at(address + 1U + code[-1]) : any;
-        break;
+        return true;
     case 0x93: /* movc a,@a+dptr */
-        pointer = pair(values);
         values->byte[ACC] = is_const(pointer) ? table_at(pointer.number) : any;
-        break;
+        return true;
     case 0x90:
         values->byte[DPH] = constant(code[1]);
         values->byte[DPL] = constant(code[2]);
-        break;
+        return true;
     case 0xA3:
-        pointer = pair(values);
-        values->byte[DPL] = is_const(pointer) ? constant(pointer.number + 1U) : any;
-        values->byte[DPH] = is_const(pointer) ? constant((pointer.number + 1U) >> 8) : any;
-        break;
-    case 0xC0:
-        return push(values, values->byte[code[1]]);
-    case 0xD0:
-        if (values_depth(values) < 0) {
-            return false;
-        }
-        set_byte(values, world, code[1], pop(values));
-        break;
-    case 0xE0:
-    case 0xE2:
-    case 0xE3: /* movx */
-        values->byte[ACC] = any;
-        break;
+        pointer.number++;
+        values->byte[DPL] = low_half(pointer);
+        values->byte[DPH] = high_half(pointer);
+        return true;
     default:
-        break;
+        return false;
     }
-    return true;
 }
 
-/* Opcodes with an operand: their low half is 4..15. */
+/* The instructions with an operand; the others change nothing that is followed. */
 static void step_operand(struct values *values, const struct values_world *world,
                          const uint8_t *code)
 {
     struct value a = values->byte[ACC], other = operand(values, code);
-    int operation = code[0] >> 4;
+    int operation = code[0] >> 4, form = code[0] & 15;
 
     switch (operation) {
-    case 0x0:
+    case 0x0: /* inc, dec */
     case 0x1:
-        other = (code[0] & 15) == 4 ? a : other;
-        set_operand(values, world, code, plus(other, operation == 0 ? 1 : -1));
+        set_operand(values, world, code, plus(form == 4 ? a : other, operation == 0 ? 1 : -1));
         break;
     case 0x2:
         add(values, other, constant(0));
@@ -493,103 +534,75 @@ static void step_operand(struct values *values, const struct values_world *world
     case 0x3:
         add(values, other, values->carry);
         break;
-    case 0x4:
+    case 0x4: /* orl, anl, xrl */
     case 0x5:
     case 0x6:
         values->byte[ACC] = combine(operation, a, other);
         break;
     case 0x7: /* mov x,#data */
-        set_operand(values, world, code, constant(code[(code[0] & 15) == 5 ? 2 : 1]));
+        set_operand(values, world, code, constant(code[form == 5 ? 2 : 1]));
         break;
-    case 0x8: /* mov direct,x; div */
-        if (code[0] == 0x84) {
-            values->byte[ACC] = values->byte[B] = any;
-            values->carry = constant(0);
-        } else {
-            set_byte(values, world, code[code[0] == 0x85 ? 2 : 1], other);
-        }
+    case 0x8: /* mov direct,x */
+        set_byte(values, world, code[form == 5 ? 2 : 1], other);
         break;
     case 0x9:
         subtract(values, other);
         break;
-    case 0xA: /* mov x,direct; mul */
-        if (code[0] == 0xA4) {
-            struct value b = values->byte[B];
-            bool is_known = is_const(a) && is_const(b);
-
-            values->byte[ACC] = is_known ? constant((unsigned)a.number * b.number) : any;
-            values->byte[B] = is_known ? constant((unsigned)a.number * b.number >> 8) : any;
-            values->carry = constant(0);
-        } else if (code[0] != 0xA5) {
-            set_operand(values, world, code, get_byte(values, code[1]));
-        }
+    case 0xA: /* mov x,direct */
+        set_operand(values, world, code, get_byte(values, code[1]));
         break;
     case 0xB: /* cjne a with #data or direct; cjne others with #data */
-        if ((code[0] & 15) <= 5) {
+        if (form <= 5) {
             compare(values, a, other);
         } else {
             compare(values, other, constant(code[1]));
         }
         break;
-    case 0xC: /* swap, xch */
-        if (code[0] == 0xC4) {
-            values->byte[ACC] =
-                is_const(a) ? constant((unsigned)a.number << 4 | (unsigned)a.number >> 4) : any;
-        } else {
-            set_operand(values, world, code, a);
-            values->byte[ACC] = other;
-        }
+    case 0xC: /* xch */
+        set_operand(values, world, code, a);
+        values->byte[ACC] = other;
         break;
-    case 0xD: /* da, xchd, djnz */
-        if (code[0] == 0xD4) {
-            values->byte[ACC] = values->carry = any;
-        } else if (code[0] == 0xD6 || code[0] == 0xD7) {
-            values->byte[ACC] = any;
-            set_indirect(values, world, code[0] & 1, any);
-        } else {
-            set_operand(values, world, code, plus(other, -1));
+    case 0xD: /* djnz, xchd */
+        if (form == 6 || form == 7) {
+            values->byte[ACC] = other = any;
         }
+        set_operand(values, world, code, plus(other, -1));
         break;
-    case 0xE:
-        values->byte[ACC] = code[0] == 0xE4 ? constant(0) : other;
+    case 0xE: /* mov a,x */
+        values->byte[ACC] = other;
         break;
-    default: /* 0xF */
-        if (code[0] == 0xF4) {
-            values->byte[ACC] = is_const(a) ? constant(~(unsigned)a.number) : any;
-        } else {
-            set_operand(values, world, code, a);
-        }
+    default: /* mov x,a */
+        set_operand(values, world, code, a);
         break;
     }
 }
 
-bool values_step(struct values *values, const struct values_world *world, uint16_t address,
-                 const struct instruction *it)
+void values_step(struct values *values, const struct values_world *world, uint16_t address)
 {
     const uint8_t *code = &world->code[address];
-    bool was_known = values_depth(values) >= 0;
+    int operation = code[0] >> 4, form = code[0] & 15, before = values_depth(values);
 
-    if (it->course == COURSE_CALL || it->course == COURSE_JUMP) {
-        return true;
-    }
-    if ((code[0] & 15) > 3) {
+    if ((form == 2 || form == 3) && operation >= 4 && operation <= 6) { /* orl, anl, xrl direct */
+        set_byte(values, world, code[1],
+                 combine(operation, get_byte(values, code[1]),
+                         form == 2 ? values->byte[ACC] : constant(code[2])));
+    } else if (!step_accumulator(values, code[0]) && !step_bit(values, world, code) &&
+               !step_address(values, world, address) && form > 3) {
         step_operand(values, world, code);
-    } else if (!step_single(values, world, address)) {
-        return false;
     }
-    return !was_known || values_depth(values) >= 0;
+    /* What is beyond the stack pointer, interrupts and callees overwrite. */
+    for (int i = before; i > 0 && i > values_depth(values); i--) {
+        values->slot[i] = any;
+    }
 }
 
 void values_return(struct values *values, const bool is_changed[VALUES_BYTES])
 {
-    struct value sp = values->byte[SP];
-
     for (int i = 0; i < VALUES_BYTES; i++) {
         if (is_changed[i]) {
             values->byte[i] = any;
         }
     }
-    values->byte[SP] = sp;
     values->carry = any;
 }
 
@@ -597,8 +610,9 @@ void values_changed(const struct values *values, bool is_changed[VALUES_BYTES])
 {
     for (int i = 0; i < VALUES_BYTES; i++) {
         struct value value = values->byte[i];
+        bool is_kept = value.kind == VALUE_ENTRY && value.place == i && value.number == 0;
 
-        is_changed[i] |= value.kind != VALUE_ENTRY || value.place != i || value.number != 0;
+        is_changed[i] |= !is_kept && i != SP;
     }
 }
 
@@ -686,23 +700,19 @@ int values_targets(const struct values *values, const struct values_world *world
                    uint16_t *targets)
 {
     struct value a = values->byte[ACC], pointer = pair(values);
-    int depth = values_depth(values);
+    int depth = values_depth(values), count;
 
     if (is_return) {
-        return depth < 2 || depth >= VALUES_SLOTS
+        return depth < 2
                    ? 0
                    : halves(world->code, values->slot[depth - 1], values->slot[depth], targets);
     }
-    if (is_const(pointer) && !is_const(a)) {
-        return jumps_at(world->code, pointer.number, targets);
+    if (!is_const(a)) {
+        return is_const(pointer) ? jumps_at(world->code, pointer.number, targets) : 0;
     }
-    if (is_const(a)) {
-        int count = halves(world->code, values->byte[DPL], values->byte[DPH], targets);
-
-        for (int i = 0; i < count; i++) {
-            targets[i] = (uint16_t)(targets[i] + a.number);
-        }
-        return count;
+    count = halves(world->code, values->byte[DPL], values->byte[DPH], targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = (uint16_t)(targets[i] + a.number);
     }
-    return 0;
+    return count;
 }

@@ -9,14 +9,14 @@
 #ifndef FUZZY51_VALUES_H
 #define FUZZY51_VALUES_H
 
-#include "opcode.h"
-
 #include <stdbool.h>
 #include <stdint.h>
 
 enum {
     VALUES_BYTES = 256, /* the direct addresses */
-    VALUES_SLOTS = 128, /* bytes of stack of one function that are followed */
+    VALUES_SLOTS = 128,
+    VALUES_DEPTH_MAX = VALUES_SLOTS - 2, /* bytes of stack of one function; a push has room */
+    VALUES_LOST = -256,
     VALUES_REPEATS = 256
 };
 
@@ -29,14 +29,16 @@ enum {
 };
 
 struct value {
-    uint8_t kind, place;
+    uint8_t kind;
+    uint8_t place; /* 0xD0, the PSW, also marks a constant of which only the bank is known: bits 3
+                      and 4 */
     uint16_t number;
 };
 
 struct values {
     struct value byte[VALUES_BYTES]; /* by direct address; the bank's registers are 0..7 of them */
-    struct value
-        slot[VALUES_SLOTS]; /* by distance from the stack pointer at the entry; 0 is unused */
+    struct value slot[VALUES_SLOTS]; /* of the stack, by distance from its pointer at the entry; 0
+                                        is unused */
     struct value carry;
 };
 
@@ -59,16 +61,12 @@ bool values_merge(struct values *values, const struct values *other);
 
 bool values_equal(const struct values *a, const struct values *b);
 
-/* The bytes on the stack, of the function's own; -1: not known. */
+/* The bytes on the stack, of the function's own: -64..191; VALUES_LOST: not known. */
 int values_depth(const struct values *values);
 
-/* Takes COUNT bytes from the stack. */
-void values_drop(struct values *values, int count);
-
-/* What the instruction IT at ADDRESS makes of VALUES. A call only pushes nothing: values_return
- * says what it leaves. Returns false if it moves the stack pointer to where nobody knows. */
-bool values_step(struct values *values, const struct values_world *world, uint16_t address,
-                 const struct instruction *it);
+/* What the instruction at ADDRESS makes of VALUES, whose depth is 0..VALUES_DEPTH_MAX. A call
+ * pushes nothing: values_return says what it leaves. */
+void values_step(struct values *values, const struct values_world *world, uint16_t address);
 
 /* What a call leaves of VALUES, whose callee changes the bytes IS_CHANGED. */
 void values_return(struct values *values, const bool is_changed[VALUES_BYTES]);
