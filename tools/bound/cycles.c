@@ -4,6 +4,7 @@
 
 #include "diag.h"
 #include "graph.h"
+#include "memory.h"
 #include "rounds.h"
 
 #include <stdlib.h>
@@ -14,32 +15,39 @@ struct search {
     struct flow *flow;
     uint16_t entry;
     struct function *function;
-    int *part; /* of each node: the innermost loop under way that holds it; 0: the function */
-    int parts;
+    int *part; /* of each node: the header of the innermost loop that holds it, as far as the search
+                  has come; 0, the node that is no instruction: none */
     bool *is_claimed; /* its source line's `rounds:` is another loop's */
-    long endless;     /* cycles of one turn of the endless loop; NONE: no such loop */
+    long endless;     /* cycles of one turn of the longest endless loop; 0: there is none */
 };
 
-/* Strongly connected components of one part, by Tarjan's algorithm. */
+/* Of a node: the number of its visit, the least one of its component that is known yet, and the
+ * number of its component; order is 0 and component NONE before they are known. */
+struct mark {
+    int order, low, component;
+};
+
+/* Strongly connected components of the part with this header, by Tarjan's algorithm. */
 struct components {
     const struct search *search;
-    int part, header; /* edges back to the header do not count */
-    int *order, *low, *component;
+    int header; /* edges back to it do not count */
+    struct mark *marks;
     int *stack, *sorted; /* sorted: nodes, the components one after another, last ones first */
     int visited, depth, count, sorted_count;
 };
 
 static bool is_edge(const struct components *found, int to)
 {
-    return to != found->header && found->search->part[to] == found->part;
+    return to != found->header && found->search->part[to] == found->header;
 }
 
 static void visit(struct components *found, int at)
 {
     const struct function *function = found->search->function;
     const struct node *node = &function->nodes[at];
+    struct mark *marks = found->marks;
 
-    found->order[at] = found->low[at] = ++found->visited;
+    marks[at].order = marks[at].low = ++found->visited;
     found->stack[found->depth++] = at;
     for (int i = node->first; i < node->first + node->count; i++) {
         int to = function->successors[i];
@@ -47,55 +55,51 @@ static void visit(struct components *found, int at)
         if (!is_edge(found, to)) {
             continue;
         }
-        if (found->order[to] == 0) {
+        if (marks[to].order == 0) {
             visit(found, to);
         }
-        if (found->component[to] == NONE && found->low[to] < found->low[at]) {
-            found->low[at] = found->low[to];
+        if (marks[to].component == NONE && marks[to].low < marks[at].low) {
+            marks[at].low = marks[to].low;
         }
     }
-    if (found->low[at] < found->order[at]) {
+    if (marks[at].low < marks[at].order) {
         return;
     }
     do {
         int member = found->stack[--found->depth];
 
-        found->component[member] = found->count;
+        marks[member].component = found->count;
         found->sorted[found->sorted_count++] = member;
     } while (found->stack[found->depth] != at);
     found->count++;
 }
 
-static bool longest(struct search *search, int part, int header, long *dist, long *turn);
+static bool longest(struct search *search, int header, long *dist, long *turn);
 
-static bool is_loop(const struct components *found, const int *members, int count)
+static bool goes_to(const struct function *function, int from, int to)
 {
-    const struct function *function = found->search->function;
-    const struct node *node = &function->nodes[members[0]];
+    const struct node *node = &function->nodes[from];
 
-    if (count > 1) {
-        return true;
-    }
     for (int i = node->first; i < node->first + node->count; i++) {
-        if (function->successors[i] == members[0] && members[0] != found->header) {
+        if (function->successors[i] == to) {
             return true;
         }
     }
     return false;
 }
 
+static bool is_loop(const struct components *found, const int *members, int count)
+{
+    int first = *members;
+
+    return count > 1 || (first != found->header && goes_to(found->search->function, first, first));
+}
+
 /* Returns whether a round of a loop begins or ends with the instruction AT: AT is the loop's
  * header, or a jump back to the header. */
 static bool is_turning(const struct search *search, int at, int header)
 {
-    const struct node *node = &search->function->nodes[at];
-
-    for (int i = node->first; i < node->first + node->count; i++) {
-        if (search->function->successors[i] == header) {
-            return true;
-        }
-    }
-    return at == header;
+    return at == header || goes_to(search->function, at, header);
 }
 
 /* The loop at ADDRESS has no bound. A function of SDCC's library has no source line: the message
@@ -122,17 +126,6 @@ static bool complain_of_loop(const struct search *search, uint16_t address)
     return false;
 }
 
-/* The program counts the rounds itself, with constants. */
-static bool find_counted(struct search *search, const int *members, int count, int header,
-                         long *rounds)
-{
-    if (search->function->before == NULL && !graph_settle(search->flow, search->function)) {
-        return false;
-    }
-    *rounds = rounds_count(search->flow, search->function, members, count, header);
-    return *rounds >= 0;
-}
-
 /* --loop, or what is known of SDCC's library, bounds the loop at ADDRESS. */
 static bool find_given(const struct search *search, uint16_t address, long *rounds)
 {
@@ -146,8 +139,9 @@ static bool find_given(const struct search *search, uint16_t address, long *roun
     return *rounds > 0 || complain_of_loop(search, address);
 }
 
-/* Finds how many rounds the loop of these nodes has at most: the `rounds:` comment on the source
- * line of its condition. A comment is valid for one loop, the innermost one on its line. */
+/* Finds how many rounds the loop of these nodes has at most: what the `rounds:` comment on the
+ * source line of its condition says, or what the program counts itself, with constants. A comment is
+ * valid for one loop, the innermost one on its line. */
 static bool find_rounds(struct search *search, const int *members, int count, int header,
                         long *rounds)
 {
@@ -171,8 +165,11 @@ static bool find_rounds(struct search *search, const int *members, int count, in
         turn = listing->places[address];
     }
     if (turn == NULL) {
-        return find_counted(search, members, count, header, rounds) ||
-               find_given(search, nodes[header].address, rounds);
+        if (!graph_settle(search->flow, search->function)) {
+            return false;
+        }
+        *rounds = rounds_count(search->flow, search->function, members, count, header);
+        return *rounds >= 0 || find_given(search, nodes[header].address, rounds);
     }
     for (int i = 0; i < search->function->node_count; i++) {
         const char *other = listing->places[nodes[i].address];
@@ -184,7 +181,7 @@ static bool find_rounds(struct search *search, const int *members, int count, in
     return true;
 }
 
-static bool is_endless(const struct search *search, const int *members, int count, int inner)
+static bool is_endless(const struct search *search, const int *members, int count, int header)
 {
     for (int i = 0; i < count; i++) {
         const struct node *node = &search->function->nodes[members[i]];
@@ -193,7 +190,7 @@ static bool is_endless(const struct search *search, const int *members, int coun
             return false;
         }
         for (int k = node->first; k < node->first + node->count; k++) {
-            if (search->part[search->function->successors[k]] != inner) {
+            if (search->part[search->function->successors[k]] != header) {
                 return false;
             }
         }
@@ -205,28 +202,21 @@ static bool is_endless(const struct search *search, const int *members, int coun
  * longest round is taken as often as the source says, then the way out of the loop. */
 static bool pass_loop(struct search *search, const int *members, int count, int header, long *dist)
 {
-    int outer = search->part[header], inner = ++search->parts;
-    long *inner_dist = malloc((size_t)search->function->node_count * sizeof *inner_dist);
+    long *inner_dist = memory_get((size_t)search->function->node_count, sizeof *inner_dist);
     long rounds = 1, turn, before = dist[header];
     bool is_good, never_ends;
 
-    if (inner_dist == NULL) {
-        abort();
-    }
     for (int i = 0; i < count; i++) {
-        search->part[members[i]] = inner;
+        search->part[members[i]] = header;
     }
-    never_ends = is_endless(search, members, count, inner);
-    is_good = longest(search, inner, header, inner_dist, &turn) &&
+    never_ends = is_endless(search, members, count, header);
+    is_good = longest(search, header, inner_dist, &turn) &&
               (never_ends || find_rounds(search, members, count, header, &rounds));
     if (is_good && never_ends && turn > search->endless) {
         search->endless = turn;
     }
-    for (int i = 0; i < count && is_good; i++) {
-        dist[members[i]] = before + rounds * turn + inner_dist[members[i]];
-    }
     for (int i = 0; i < count; i++) {
-        search->part[members[i]] = outer;
+        dist[members[i]] = before + rounds * turn + inner_dist[members[i]];
     }
     free(inner_dist);
     return is_good;
@@ -258,7 +248,7 @@ static void relax(const struct components *found, int at, long *dist)
     for (int i = node->first; i < node->first + node->count; i++) {
         int to = function->successors[i];
 
-        if (is_edge(found, to) && found->component[to] != found->component[at] &&
+        if (is_edge(found, to) && found->marks[to].component != found->marks[at].component &&
             dist[at] > dist[to]) {
             dist[to] = dist[at];
         }
@@ -293,61 +283,90 @@ static bool pass_component(struct search *search, const struct components *found
     return pass_loop(search, members, count, header, dist);
 }
 
-/* Finds for each node of the PART dist, the most cycles from the start of HEADER to the end of the
- * node; and turn, the most cycles from HEADER back to HEADER, 0 if there is no way back. */
-static bool longest(struct search *search, int part, int header, long *dist, long *turn)
+/* Passes the components of FOUND in their order: DIST of the header is set. */
+static bool pass_components(struct search *search, const struct components *found, long *dist)
 {
-    int nodes = search->function->node_count;
-    struct components found = {.search = search, .part = part, .header = header};
-    int *room = calloc((size_t)nodes * 5, sizeof *room);
-    bool is_good = true;
+    const struct mark *marks = found->marks;
 
-    if (room == NULL) {
-        abort();
+    for (int end = found->sorted_count; end > 0;) {
+        int begin = end - 1;
+
+        while (begin > 0 &&
+               marks[found->sorted[begin - 1]].component == marks[found->sorted[begin]].component) {
+            begin--;
+        }
+        if (!pass_component(search, found, &found->sorted[begin], end - begin, dist)) {
+            return false;
+        }
+        for (int i = begin; i < end; i++) {
+            relax(found, found->sorted[i], dist);
+        }
+        end = begin;
     }
-    found.order = room;
-    found.low = room + nodes;
-    found.component = room + 2 * nodes;
-    found.stack = room + 3 * nodes;
-    found.sorted = room + 4 * nodes;
+    return true;
+}
+
+/* Finds for each node of the part with this HEADER dist, the most cycles from the start of HEADER
+ * to the end of the node; and turn, the most cycles from HEADER back to HEADER, 0 if there is no
+ * way back. */
+static bool longest(struct search *search, int header, long *dist, long *turn)
+{
+    const struct function *function = search->function;
+    int nodes = function->node_count;
+    struct components found = {.search = search, .header = header};
+    bool is_good;
+
+    found.marks = memory_get((size_t)nodes, sizeof *found.marks);
+    found.stack = memory_get((size_t)nodes, sizeof *found.stack);
+    found.sorted = memory_get((size_t)nodes, sizeof *found.sorted);
     for (int i = 0; i < nodes; i++) {
-        found.component[i] = NONE;
+        found.marks[i].component = NONE;
         dist[i] = NONE;
     }
     visit(&found, header);
     dist[header] = 0;
-    for (int end = found.sorted_count; end > 0 && is_good;) {
-        int begin = end - 1;
-
-        while (begin > 0 &&
-               found.component[found.sorted[begin - 1]] == found.component[found.sorted[begin]]) {
-            begin--;
-        }
-        is_good = pass_component(search, &found, &found.sorted[begin], end - begin, dist);
-        for (int i = begin; i < end && is_good; i++) {
-            relax(&found, found.sorted[i], dist);
-        }
-        end = begin;
-    }
+    is_good = pass_components(search, &found, dist);
     *turn = 0;
-    for (int i = 0; i < nodes && is_good; i++) {
-        const struct node *node = &search->function->nodes[i];
-
-        for (int k = node->first; k < node->first + node->count; k++) {
-            if (search->function->successors[k] == header && search->part[i] == part &&
-                dist[i] > *turn) {
-                *turn = dist[i];
-            }
+    for (int i = 0; i < nodes; i++) {
+        if (dist[i] > *turn && goes_to(function, i, header)) {
+            *turn = dist[i];
         }
     }
-    free(room);
+    free(found.marks);
+    free(found.stack);
+    free(found.sorted);
     return is_good;
+}
+
+/* CYCLES become those of the longest way to a return, and are kept for the next caller. */
+static bool take_way_out(const struct search *search, const long *dist, long *cycles)
+{
+    struct function *function = search->function;
+
+    *cycles = 0;
+    for (int i = 0; i < function->node_count; i++) {
+        if (function->nodes[i].returns && dist[i] > *cycles) {
+            *cycles = dist[i];
+        }
+    }
+    if (*cycles == 0) {
+        return graph_complain(search->flow, search->entry, "never returns");
+    }
+    function->cycles = *cycles;
+    return true;
+}
+
+static bool take_round(const struct search *search, long *cycles)
+{
+    *cycles = search->endless;
+    return *cycles != 0 ||
+           graph_complain(search->flow, search->entry, "has no endless loop to take a round of");
 }
 
 bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
 {
     struct function *function;
-    struct search search = {.flow = flow, .entry = entry, .endless = NONE};
+    struct search search = {.flow = flow, .entry = entry};
     uint16_t caller = flow->entry;
     long *dist, turn;
     bool is_good;
@@ -356,33 +375,16 @@ bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
         return false;
     }
     search.function = function = flow->functions[entry];
-    if (function->cycles != NONE && !is_round) {
+    if (function->cycles != 0 && !is_round) {
         *cycles = function->cycles;
         return true;
     }
     flow->entry = entry;
-    dist = malloc((size_t)function->node_count * sizeof *dist);
-    search.part = calloc((size_t)function->node_count, sizeof *search.part);
-    search.is_claimed = calloc((size_t)function->node_count, sizeof *search.is_claimed);
-    if (dist == NULL || search.part == NULL || search.is_claimed == NULL) {
-        abort();
-    }
-    is_good = longest(&search, 0, 0, dist, &turn);
-    *cycles = 0;
-    for (int i = 0; i < function->node_count && is_good; i++) {
-        if (function->nodes[i].returns && dist[i] > *cycles) {
-            *cycles = dist[i];
-        }
-    }
-    if (is_good && is_round) {
-        *cycles = search.endless;
-        is_good = search.endless != NONE ||
-                  graph_complain(flow, entry, "has no endless loop to take a round of");
-    } else if (is_good && *cycles == 0) {
-        is_good = graph_complain(flow, entry, "never returns");
-    } else if (is_good) {
-        function->cycles = *cycles;
-    }
+    dist = memory_get((size_t)function->node_count, sizeof *dist);
+    search.part = memory_get((size_t)function->node_count, sizeof *search.part);
+    search.is_claimed = memory_get((size_t)function->node_count, sizeof *search.is_claimed);
+    is_good = longest(&search, 0, dist, &turn) &&
+              (is_round ? take_round(&search, cycles) : take_way_out(&search, dist, cycles));
     flow->entry = caller;
     graph_forget(function);
     free(dist);

@@ -3,28 +3,20 @@
 
 #include "diag.h"
 #include "graph.h"
+#include "memory.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATH_LENGTH = 300 };
-
-static void *resize(void *array, int count, size_t size)
-{
-    array = realloc(array, (size_t)count * size);
-    if (array == NULL) {
-        abort();
-    }
-    return array;
-}
-
+/* ARRAY with room for one more than its COUNT elements. */
 static void *grow(void *array, int count, int *room, size_t size)
 {
     if (count < *room) {
         return array;
     }
     *room = *room == 0 ? 64 : 2 * *room;
-    return resize(array, *room, size);
+    return memory_resize(array, (size_t)*room, size);
 }
 
 /* --- messages ------------------------------------------------------------------------------- */
@@ -42,7 +34,7 @@ const char *graph_leading_line(const struct flow *flow, uint16_t owner)
     const struct function *function = flow->functions[flow->entry];
     uint16_t caller = flow->callers[flow->entry];
 
-    for (int i = 1; function != NULL && owner != flow->entry && i < function->node_count; i++) {
+    for (int i = 1; owner != flow->entry && i < function->node_count; i++) {
         const struct node *node = &function->nodes[i];
 
         if (node->is_known && node->it.target == owner &&
@@ -73,40 +65,50 @@ bool graph_complain(const struct flow *flow, uint16_t address, const char *what)
     return false;
 }
 
-/* ENTRY is called while it is followed. */
-static bool complain_of_recursion(struct flow *flow, uint16_t entry, uint16_t call)
+/* Writes how ENTRY came to AT: "entry > a > at". */
+static void write_path(FILE *stream, const struct flow *flow, uint16_t entry, uint16_t at)
 {
-    const char *line = flow->listing->places[call];
-    char path[PATH_LENGTH] = "";
-    size_t length = 0;
-    uint16_t at = flow->entry;
-
-    for (int i = 0; at != entry && i < 8; i++) {
-        char rest[PATH_LENGTH];
-
-        snprintf(rest, sizeof rest, " > %.100s%.190s", listing_name(flow->listing, at), path);
-        memcpy(path, rest, sizeof path);
-        at = flow->owners[flow->callers[at]];
+    if (at != entry) {
+        write_path(stream, flow, entry, flow->owners[flow->callers[at]]);
+        fputs(" > ", stream);
     }
-    length = strlen(path);
-    snprintf(path + length, sizeof path - length, " > %.100s", listing_name(flow->listing, entry));
+    fputs(listing_name(flow->listing, at), stream);
+}
+
+/* ENTRY is called while it is followed. */
+static bool complain_of_recursion(const struct flow *flow, uint16_t entry, uint16_t call)
+{
+    const char *line = flow->listing->places[call], *name = listing_name(flow->listing, entry);
+    char *path;
+    size_t length;
+    FILE *stream = open_memstream(&path, &length);
+
+    if (stream == NULL) {
+        abort();
+    }
+    write_path(stream, flow, entry, flow->entry);
+    fclose(stream);
     diag_error(
         flow->path, 0,
-        "%s%s%s calls itself: %s%s; the stack of a recursion has no bound; make a loop of it",
-        line != NULL ? line : "", line != NULL ? ": " : "", listing_name(flow->listing, entry),
-        listing_name(flow->listing, entry), path);
+        "%s%s%s calls itself: %s > %s; the stack of a recursion has no bound; make a loop of it",
+        line != NULL ? line : "", line != NULL ? ": " : "", name, path, name);
+    free(path);
     return false;
 }
 
 /* --- graph ---------------------------------------------------------------------------------- */
 
+/* The nodes of a function by their addresses; 0: there is none yet. */
+struct index {
+    int node[HEX_CODE_SIZE];
+};
+
 /* What graph_settle works with. */
 struct settling {
     struct flow *flow;
     struct function *function;
-    int16_t *index; /* the node of an address; NONE: there is none yet */
-    int *queue;     /* nodes before which less is known than when they were looked at */
-    bool *is_queued;
+    struct index *index;
+    int *queue; /* nodes before which less is known than when they were looked at */
     int queued, room;
 };
 
@@ -114,13 +116,13 @@ static int add_node(struct settling *work, uint16_t address)
 {
     struct function *function = work->function;
 
-    if (work->index[address] != NONE) {
-        return work->index[address];
+    if (work->index->node[address] != 0) {
+        return work->index->node[address];
     }
     function->nodes =
         grow(function->nodes, function->node_count, &function->node_room, sizeof *function->nodes);
     function->nodes[function->node_count] = (struct node){.address = address, .depth = NONE};
-    work->index[address] = (int16_t)function->node_count;
+    work->index->node[address] = function->node_count;
     return function->node_count++;
 }
 
@@ -131,33 +133,17 @@ static void add_successor(struct function *function, int node)
     function->successors[function->successor_count++] = node;
 }
 
-/* Makes room for what is known before each node and for the queue. */
-static void make_room(struct settling *work)
-{
-    struct function *function = work->function;
-
-    if (function->before_room < function->node_room || function->before == NULL) {
-        int old = function->before == NULL ? 0 : function->before_room;
-
-        function->before = resize(function->before, function->node_room, sizeof *function->before);
-        memset(function->before + old, 0,
-               (size_t)(function->node_room - old) * sizeof *function->before);
-        function->before_room = function->node_room;
-    }
-    if (work->room < function->node_room) {
-        work->queue = resize(work->queue, function->node_room, sizeof *work->queue);
-        work->is_queued = resize(work->is_queued, function->node_room, sizeof *work->is_queued);
-        memset(work->is_queued + work->room, false, (size_t)(function->node_room - work->room));
-        work->room = function->node_room;
-    }
-}
-
 /* Tells the node AT what is known on one of the ways to it. */
 static void tell(struct settling *work, int at, const struct values *values)
 {
-    make_room(work);
-    if (values_merge(&work->function->before[at], values) && !work->is_queued[at]) {
-        work->is_queued[at] = true;
+    struct node *node = &work->function->nodes[at];
+
+    if (node->before == NULL) {
+        node->before = memory_get(1, sizeof *node->before);
+    }
+    if (values_merge(node->before, values) && !node->is_queued) {
+        node->is_queued = true;
+        work->queue = grow(work->queue, work->queued, &work->room, sizeof *work->queue);
         work->queue[work->queued++] = at;
     }
 }
@@ -240,13 +226,20 @@ static bool note_effects(struct flow *flow, struct function *function, const str
     return true;
 }
 
-/* Finds the addresses that may follow NODE, with the VALUES before it; -1: they are not known. A
- * `ret` that ends a switch takes its target from the stack. */
+/* Returns whether the function ends with NODE. A jump to 0 starts the program again, which is taken
+ * for a return; a `ret` with bytes left on the stack ends a switch. */
+static bool is_end(const struct node *node)
+{
+    return (node->it.course == COURSE_RETURN && node->depth == 0) ||
+           (node->it.course == COURSE_JUMP && node->it.target == 0);
+}
+
+/* Finds the addresses that may follow NODE, with the VALUES before it, and returns their number; 0:
+ * they are not known. A `ret` that ends a switch takes its target from the stack. */
 static int targets_of(const struct flow *flow, const struct node *node, const struct values *values,
                       uint16_t targets[VALUES_REPEATS])
 {
     uint16_t next = (uint16_t)(node->address + node->it.bytes);
-    int count;
 
     switch (node->it.course) {
     case COURSE_ON:
@@ -259,28 +252,22 @@ static int targets_of(const struct flow *flow, const struct node *node, const st
         return 2;
     case COURSE_JUMP:
         targets[0] = node->it.target;
-        return node->it.target == 0 ? 0 : 1; /* the program starts again */
+        return 1;
     case COURSE_RETURN:
-        if (node->depth == 0) {
-            return 0;
-        }
-        break;
-    case COURSE_UNKNOWN:
+        return values_targets(values, &flow->world, true, targets);
+    case COURSE_SWITCH:
+        return values_targets(values, &flow->world, false, targets);
+    case COURSE_NONE:
         break;
     }
-    count = flow->hex->code[node->address] == 0xA5
-                ? 0
-                : values_targets(values, &flow->world, node->it.course == COURSE_RETURN, targets);
-    return count == 0 ? -1 : count;
+    return 0;
 }
 
 static bool complain_of_pointer(const struct flow *flow, const struct node *node)
 {
-    uint8_t code = flow->hex->code[node->address];
-
     return graph_complain(
         flow, node->address,
-        code == 0xA5 ? "0xA5 is no instruction"
+        node->it.course == COURSE_NONE ? "0xA5 is no instruction"
         : node->it.course == COURSE_RETURN
             ? "returns with bytes left on the stack, or calls through a function pointer; call the "
               "function by its name"
@@ -292,8 +279,8 @@ static bool visit(struct settling *work, int at)
 {
     struct flow *flow = work->flow;
     struct function *function = work->function;
-    struct values values = function->before[at];
     struct node node = function->nodes[at];
+    struct values values = *node.before;
     uint16_t targets[VALUES_REPEATS];
     int count, depth = values_depth(&values);
 
@@ -305,14 +292,14 @@ static bool visit(struct settling *work, int at)
     }
     node.depth = depth;
     node.it = opcode_decode(flow->hex->code, node.address);
-    count = targets_of(flow, &node, &values, targets);
-    if (count < 0 || (node.is_known && count != node.count)) {
+    node.returns = is_end(&node);
+    count = node.returns ? 0 : targets_of(flow, &node, &values, targets);
+    if (node.is_known ? count != node.count : count == 0 && !node.returns) {
         return complain_of_pointer(flow, &node);
     }
     if (!note_effects(flow, function, &node, &values)) {
         return false;
     }
-    node.returns = count == 0; /* or starts the program again, which is taken for a return */
     memset(&flow->is_code[node.address], true, node.it.bytes);
     if (!node.is_known) {
         node.first = function->successor_count;
@@ -335,49 +322,54 @@ bool graph_settle(struct flow *flow, struct function *function)
     struct values values;
     bool is_good = true;
 
-    work.index = resize(NULL, HEX_CODE_SIZE, sizeof *work.index);
-    memset(work.index, 0xFF, HEX_CODE_SIZE * sizeof *work.index); /* NONE */
-    for (int i = 1; i < function->node_count; i++) {
-        work.index[function->nodes[i].address] = (int16_t)i;
+    if (function->nodes[1].before != NULL) {
+        return true;
     }
-    graph_forget(function);
+    work.index = memory_get(1, sizeof *work.index);
+    for (int i = 1; i < function->node_count; i++) {
+        work.index->node[function->nodes[i].address] = i;
+    }
     values_enter(&values, &flow->world);
     tell(&work, 1, &values);
-    while (work.queued > 0 && is_good) {
+    while (work.queued > 0) {
         int at = work.queue[--work.queued];
 
-        work.is_queued[at] = false;
-        is_good = visit(&work, at);
+        function->nodes[at].is_queued = false;
+        is_good = is_good && visit(&work, at);
     }
     free(work.index);
     free(work.queue);
-    free(work.is_queued);
     return is_good;
 }
 
 void graph_forget(struct function *function)
 {
-    free(function->before);
-    function->before = NULL;
-    function->before_room = 0;
+    for (int i = 0; i < function->node_count; i++) {
+        free(function->nodes[i].before);
+        function->nodes[i].before = NULL;
+    }
 }
 
 /* A function of which only the entry is known. */
 static struct function *new_function(uint16_t entry)
 {
-    struct function *function = calloc(1, sizeof *function);
+    struct function *function = memory_get(1, sizeof *function);
 
-    if (function == NULL) {
-        abort();
-    }
     function->deepest = NONE;
-    function->cycles = NONE;
     function->nodes = grow(NULL, 0, &function->node_room, sizeof *function->nodes);
     function->nodes[0] = (struct node){.address = entry, .count = 1};
     function->nodes[1] = (struct node){.address = entry, .depth = NONE};
     function->node_count = 2;
     add_successor(function, 1);
     return function;
+}
+
+static void free_function(struct function *function)
+{
+    graph_forget(function);
+    free(function->nodes);
+    free(function->successors);
+    free(function);
 }
 
 /* CALL is where ENTRY is called from; 0: from nowhere. */
@@ -394,15 +386,20 @@ static bool follow_function(struct flow *flow, uint16_t entry, uint16_t call)
     flow->entry = entry;
     flow->functions[entry] = function = new_function(entry);
     function->is_done = graph_settle(flow, function);
-    for (int i = 1; i < function->node_count && function->is_done; i++) {
+    flow->entry = caller;
+    if (!function->is_done) {
+        flow->functions[entry] = NULL;
+        free_function(function);
+        return false;
+    }
+    for (int i = 1; i < function->node_count; i++) {
         if (function->nodes[i].returns) {
-            values_changed(&function->before[i], function->is_changed);
+            values_changed(function->nodes[i].before, function->is_changed);
         }
     }
     graph_forget(function);
     function->stack += FLOW_RETURN_ADDRESS;
-    flow->entry = caller;
-    return function->is_done;
+    return true;
 }
 
 bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry)
@@ -449,7 +446,7 @@ bool flow_follow(struct flow *flow)
     for (int n = 0; n < FLOW_INTERRUPTS; n++) {
         uint16_t vector = (uint16_t)(8 * n + 3), entry;
 
-        if (!flow->hex->used[vector] || flow->is_code[vector] || flow->hex->code[vector] != 0x02 ||
+        if (flow->is_code[vector] || flow->hex->code[vector] != 0x02 ||
             is_atomic_routine(flow->hex, vector)) {
             continue;
         }
@@ -467,9 +464,7 @@ bool flow_follow(struct flow *flow)
 
 bool flow_follow_function(struct flow *flow, uint16_t entry)
 {
-    return flow->functions[entry] != NULL && flow->functions[entry]->is_done
-               ? true
-               : follow_function(flow, entry, 0);
+    return follow_function(flow, entry, 0);
 }
 
 int flow_stack(const struct flow *flow, uint16_t entry)
@@ -496,12 +491,8 @@ void flow_init(struct flow *flow, const struct hexfile *hex, const struct listin
 void flow_free(struct flow *flow)
 {
     for (int i = 0; i < HEX_CODE_SIZE; i++) {
-        if (flow->functions[i] == NULL) {
-            continue;
+        if (flow->functions[i] != NULL) {
+            free_function(flow->functions[i]);
         }
-        graph_forget(flow->functions[i]);
-        free(flow->functions[i]->nodes);
-        free(flow->functions[i]->successors);
-        free(flow->functions[i]);
     }
 }

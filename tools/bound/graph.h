@@ -13,10 +13,12 @@ enum { NONE = -1 };
 struct node {
     uint16_t address;
     struct instruction it;
-    bool is_known;    /* it, first and count are set */
-    bool returns;     /* to the caller; a `ret` that ends a switch does not */
-    int depth;        /* bytes on the stack before it, of this function's own */
-    int first, count; /* its successors; of a branch the next instruction, then its target */
+    bool is_known;         /* it, first and count are set */
+    bool returns;          /* to the caller; a `ret` that ends a switch does not */
+    bool is_queued;        /* to be looked at again */
+    int depth;             /* bytes on the stack before it, of this function's own */
+    int first, count;      /* its successors; of a branch the next instruction, then its target */
+    struct values *before; /* while they are needed; else NULL */
 };
 
 /* A function: all instructions that can be reached from its entry without a call. Code that several
@@ -27,16 +29,14 @@ struct function {
     int node_count, node_room;
     int *successors;
     int successor_count, successor_room;
-    struct values *before; /* of each node, while they are needed; else NULL */
-    int before_room;
     int stack; /* with the return address */
     long deepest;
     bool is_changed[VALUES_BYTES]; /* its caller finds these bytes changed */
     bool is_done;
-    long cycles; /* NONE: not known yet */
+    long cycles; /* 0: not known yet */
 };
 
-/* Finds what is known before each instruction of FUNCTION: sets before. */
+/* Finds what is known before each instruction of FUNCTION, unless that is done: sets before. */
 bool graph_settle(struct flow *flow, struct function *function);
 void graph_forget(struct function *function);
 

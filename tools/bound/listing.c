@@ -2,22 +2,16 @@
 #include "listing.h"
 
 #include "diag.h"
+#include "memory.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static char *copy(const char *text, size_t length)
-{
-    char *made = strndup(text, length);
-
-    if (made == NULL) {
-        abort();
-    }
-    return made;
-}
+enum { LINE_BYTES = 1024, NAME_BYTES = 128 };
 
 void listing_init(struct listing *listing)
 {
@@ -35,19 +29,28 @@ void listing_free(struct listing *listing)
     }
 }
 
+/* What follows BEGIN in TEXT; NULL: TEXT does not begin so. */
+static const char *behind(const char *text, const char *begin)
+{
+    size_t length = strlen(begin);
+
+    return strncmp(text, begin, length) == 0 ? text + length : NULL;
+}
+
 /* SDCC writes an underscore before a C name; a name without is one of assembly, or what the linker
  * and the debugger say of areas ("s_CSEG") and lines ("C$x.c$1"). If two files have a static
  * function of one name, the first one is taken. */
-static void name_it(struct listing *listing, unsigned long address, const char *name, size_t length)
+static void name_it(struct listing *listing, unsigned long address, const char *name)
 {
-    bool is_c = length > 1 && name[0] == '_';
+    const char *c_name = behind(name, "_");
 
-    if (address >= HEX_CODE_SIZE || listing->names[address] != NULL || length == 0 ||
-        strncmp(name, "s_", 2) == 0 || strncmp(name, "l_", 2) == 0 || name[0] == '.' ||
-        memchr(name, '$', length) != NULL) {
+    if (address >= HEX_CODE_SIZE || listing->names[address] != NULL || behind(name, "s_") != NULL ||
+        behind(name, "l_") != NULL || (c_name == NULL && !isalpha((unsigned char)*name)) ||
+        strchr(name, '$') != NULL) {
         return;
     }
-    listing->names[address] = copy(name + is_c, length - is_c);
+    name = c_name != NULL ? c_name : name;
+    listing->names[address] = memory_copy(name, strlen(name));
 }
 
 /* The position in a listing: the current area and the current source line. */
@@ -57,98 +60,120 @@ struct source {
     long rounds;
 };
 
-/* ";	FILE:LINE: TEXT" begins a source line; ";	[registers] ic:NUMBER: ..." does not. */
-static void read_source(struct source *source, const char *comment)
+/* ";	FILE:LINE: TEXT" begins a source line; ";	[registers] ic:NUMBER: ..." does not.
+ * Returns EXIT_FINE, or EXIT_INPUT after a message. */
+static int read_source(struct source *source, const char *comment)
 {
-    const char *colon = strchr(comment, ':'), *bound = strstr(comment, "rounds: ");
-    const char *end = colon == NULL ? NULL : strchr(colon + 1, ':');
+    static const char bound[] = "rounds: ";
+    const char *rounds = strstr(comment, bound);
+    int length = 0, end = 0;
+    char *stop;
 
-    if (comment[0] == '[' || end == NULL || end == colon + 1 ||
-        strspn(colon + 1, "0123456789") != (size_t)(end - colon - 1)) {
-        return;
+    sscanf(comment, "%*[^][:]:%*[0-9]%n%*1[:]%n", &length, &end);
+    if (end == 0) {
+        return EXIT_FINE;
     }
     free(source->place);
-    source->place = copy(comment, (size_t)(end - comment));
-    source->rounds =
-        bound == NULL ? LISTING_NO_BOUND : strtol(bound + strlen("rounds: "), NULL, 10);
+    source->place = memory_copy(comment, (size_t)length);
+    source->rounds = LISTING_NO_BOUND;
+    if (rounds == NULL) {
+        return EXIT_FINE;
+    }
+    rounds += strlen(bound);
+    source->rounds = strtol(rounds, &stop, 10);
+    if (stop == rounds || source->rounds < 1 || source->rounds > LISTING_MOST_ROUNDS) {
+        return diag_error(source->place, 0,
+                          "`rounds:` is not followed by a whole number in 1..%d; write how many "
+                          "rounds the loop has at most",
+                          LISTING_MOST_ROUNDS);
+    }
+    return EXIT_FINE;
 }
 
-/* Returns whether the image has the bytes that the listing shows: " E5 32            [12]  238
- * ...".
- */
-static bool is_of(const struct hexfile *hex, unsigned long address, const char *text)
+/* Returns whether the image has the bytes that the listing shows: " E5 32            [12] ...". */
+static bool is_of(const struct hexfile *hex, unsigned long address, const char *bytes)
 {
-    while (text[0] == ' ' && text[1] != ' ' && text[1] != '[') {
-        char *end;
-        unsigned long byte = strtoul(text + 1, &end, 16);
+    unsigned byte;
+    int length;
 
-        if (end != text + 3 || address >= HEX_CODE_SIZE || !hex->used[address] ||
-            hex->code[address] != byte) {
+    for (; sscanf(bytes, "%2x%n", &byte, &length) == 1; bytes += length) {
+        if (address >= HEX_CODE_SIZE || !hex->used[address] || hex->code[address] != byte) {
             return false;
         }
         address++;
-        text = end;
     }
     return true;
 }
 
-/* "      000673 E5 32            [12]  238 	mov ..." is an instruction; without bytes it
- * is a label. Returns false if the image has other bytes there. */
-static bool read_line(struct listing *listing, const struct hexfile *hex, struct source *source,
-                      const char *line)
+/* What follows an ADDRESS of code in a listing: " E5 32            [12]  238 	mov ..." is an
+ * instruction, "                        236 _work:" a label. Other bytes are data, which may be set
+ * after the link. Returns false if the image has another instruction there. */
+static bool read_code(struct listing *listing, const struct hexfile *hex,
+                      const struct source *source, unsigned long address, const char *text)
 {
-    const char *comment = strstr(line, ";\t"), *area = strstr(line, "\t.area ");
-    char *end;
+    char name[NAME_BYTES], colon[2];
+
+    if (sscanf(text, " %*u %127[A-Za-z0-9_$]%1[:]", name, colon) == 2) {
+        name_it(listing, address, name);
+        return true;
+    }
+    if (text[strspn(text, " 0123456789ABCDEF")] != '[') {
+        return true;
+    }
+    if (!is_of(hex, address, text)) {
+        return false;
+    }
+    if (source->place != NULL && listing->places[address] == NULL) {
+        listing->places[address] = memory_copy(source->place, strlen(source->place));
+        listing->rounds[address] = source->rounds;
+    }
+    return true;
+}
+
+/* One line of a listing, number NUMBER of the file PATH. */
+static int read_line(struct listing *listing, const struct hexfile *hex, struct source *source,
+                     const char *line, const char *path, int number)
+{
+    const char *text = line + strspn(line, " 0123456789");
+    const char *comment = behind(text, ";\t"), *area = behind(text, "\t.area ");
+    int end = 0;
     unsigned long address;
 
+    if (comment != NULL) {
+        return read_source(source, comment);
+    }
     if (area != NULL) {
         source->is_code = strstr(area, "(CODE") != NULL;
     }
-    if (comment != NULL && strspn(line, " 0123456789") == (size_t)(comment - line)) {
-        read_source(source, comment + 2);
-        return true;
+    if (source->is_code && sscanf(line, "      %6lx%n", &address, &end) == 1 && end == 12 &&
+        address < HEX_CODE_SIZE && !read_code(listing, hex, source, address, line + end)) {
+        return diag_error(
+            path, number,
+            "this is not in the image: the listing is of another one; link the image again");
     }
-    if (!source->is_code || strncmp(line, "      ", 6) != 0) {
-        return true;
-    }
-    address = strtoul(line + 6, &end, 16);
-    if (end != line + 12 || address >= HEX_CODE_SIZE) {
-        return true;
-    }
-    if (strchr(end, '[') == NULL || end[1] == ' ') {
-        end += strspn(end, " 0123456789");
-        name_it(listing, address, end, strcspn(end, ":"));
-        return true;
-    }
-    if (source->place != NULL && listing->places[address] == NULL) {
-        listing->places[address] = copy(source->place, strlen(source->place));
-        listing->rounds[address] = source->rounds;
-    }
-    return is_of(hex, address, end);
+    return EXIT_FINE;
 }
 
 int listing_read(struct listing *listing, const struct hexfile *hex, const char *path)
 {
     FILE *stream = fopen(path, "r");
     struct source source = {.rounds = LISTING_NO_BOUND};
-    char line[1024];
-    int number = 0, status = EXIT_FINE;
+    char line[LINE_BYTES];
+    int status = EXIT_FINE;
 
     if (stream == NULL) {
         return diag_error(path, 0, "cannot read the listing: %s; build the image again",
                           strerror(errno));
     }
-    while (status == EXIT_FINE && fgets(line, sizeof line, stream) != NULL) {
+    for (int number = 1; status == EXIT_FINE && fgets(line, sizeof line, stream) != NULL;
+         number++) {
         unsigned long address;
-        char name[128];
+        char name[NAME_BYTES];
 
-        number++;
         if (sscanf(line, "C: %lx %127s", &address, name) == 2) { /* a line of the map */
-            name_it(listing, address, name, strlen(name));
-        } else if (!read_line(listing, hex, &source, line)) {
-            status = diag_error(
-                path, number,
-                "this is not in the image: the listing is of another one; link the image again");
+            name_it(listing, address, name);
+        } else {
+            status = read_line(listing, hex, &source, line, path, number);
         }
     }
     free(source.place);

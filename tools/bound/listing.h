@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-enum { LISTING_NO_BOUND = -1 };
+enum { LISTING_NO_BOUND = -1, LISTING_MOST_ROUNDS = 1000000 };
 
 struct listing {
     char *names[HEX_CODE_SIZE];  /* as C knows them; NULL: nothing begins here */
@@ -19,8 +19,9 @@ struct listing {
 void listing_init(struct listing *listing);
 void listing_free(struct listing *listing);
 
-/* Adds one .rst or .map file of the image HEX. The words "rounds: N" on a source line say that the
- * loop on this line has at most N rounds each time that it is entered. Returns EXIT_FINE, or
+/* Adds one .rst or .map file of the image HEX. The words "rounds: N", N in 1..LISTING_MOST_ROUNDS, on
+ * a source line say that the loop on this line has at most N rounds each time that it is entered.
+ * Returns EXIT_FINE, or
  * EXIT_INPUT after a message. The listing of another image is an error: the linker overwrites a
  * module's listing each time that it links the module. */
 int listing_read(struct listing *listing, const struct hexfile *hex, const char *path);

@@ -193,9 +193,9 @@ static int take_loops(struct flow *flow, const struct arguments *arguments)
         long rounds, entry;
 
         if (sscanf(arguments->loops[i], "%255[^:]:%ld%c", name, &rounds, &rest) != 2 ||
-            rounds < 1 || rounds > 1000000) {
-            diag_error("bound", 0, "--loop=%s: give FUNCTION:N, N in 1..1000000",
-                       arguments->loops[i]);
+            rounds < 1 || rounds > LISTING_MOST_ROUNDS) {
+            diag_error("bound", 0, "--loop=%s: give FUNCTION:N, N in 1..%d", arguments->loops[i],
+                       LISTING_MOST_ROUNDS);
             return EXIT_USAGE;
         }
         entry = find(flow, name);

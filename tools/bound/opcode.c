@@ -82,8 +82,10 @@ struct instruction opcode_decode(const uint8_t *code, uint16_t address)
         it.target = absolute;
     } else if (opcode == 0x22 || opcode == 0x32) {
         it.course = COURSE_RETURN;
-    } else if (opcode == 0x73 || opcode == 0xA5) {
-        it.course = COURSE_UNKNOWN;
+    } else if (opcode == 0x73) {
+        it.course = COURSE_SWITCH;
+    } else if (opcode == 0xA5) {
+        it.course = COURSE_NONE;
     } else if (opcode == 0xC0) {
         it.push = 1;
     } else if (opcode == 0xD0) {

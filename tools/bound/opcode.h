@@ -7,12 +7,13 @@
 #include <stdint.h>
 
 enum course {
-    COURSE_ON,      /* to the next instruction */
-    COURSE_JUMP,    /* to the target */
-    COURSE_BRANCH,  /* to either */
-    COURSE_CALL,    /* to the target, and on when that returns */
-    COURSE_RETURN,  /* ret, reti */
-    COURSE_UNKNOWN, /* jmp @a+dptr; the code that is no instruction */
+    COURSE_ON,     /* to the next instruction */
+    COURSE_JUMP,   /* to the target */
+    COURSE_BRANCH, /* to either */
+    COURSE_CALL,   /* to the target, and on when that returns */
+    COURSE_RETURN, /* ret, reti */
+    COURSE_SWITCH, /* jmp @a+dptr */
+    COURSE_NONE    /* 0xA5 is no instruction */
 };
 
 struct instruction {

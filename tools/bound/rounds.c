@@ -102,7 +102,7 @@ static void enter(struct turning *turning)
             if (i == 0) {
                 values_enter(&after, &turning->flow->world);
             } else {
-                after = function->before[i];
+                after = *node->before;
                 graph_step(turning->flow, node, &after);
             }
             values_merge(&turning->places[turning->header].before, &after);
