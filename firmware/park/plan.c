@@ -144,9 +144,6 @@ static bool is_in_place(void)
 {
     uint16_t off_512 = magnitude_i16(x);
 
-    if (off_512 > IN_512(PLAN_ROOM_MM)) {
-        return false;
-    }
     off_512 += mul_hi_u16(magnitude_i16(plan_sine_q15(heading + QUARTER_TURN)),
                           2U * IN_512(PLAN_FRONT_MM));
     return off_512 <= IN_512(PLAN_ROOM_MM);

@@ -50,8 +50,5 @@ bool lane_is_own(uint16_t range_cm, int16_t azimuth_turn16, int16_t curvature_up
     /* d^2 / (8 r0): d^2 / 8 is 17578 cm2, and 17578 * 1e-8 is 11.5 / 65536. In the tightest bend it
      * is 6 cm. */
     offset_cm += (int16_t)mul_hi_u16(curvature, 12U);
-    if (offset_cm < 0) {
-        offset_cm = (int16_t)-offset_cm;
-    }
-    return offset_cm <= LANE_WIDTH_CM / 2;
+    return (uint16_t)(offset_cm + LANE_WIDTH_CM / 2) <= LANE_WIDTH_CM / 2 * 2U;
 }

@@ -59,6 +59,33 @@ static void test_open_sign_is_seen_only_where_both_readings_are_possible(void)
     /* Opening: f+ is the larger one, and its sign is plain. */
     TEST_ASSERT_FALSE(fmcw_sign_is_open(15277, 5270, 2000));
     TEST_ASSERT_FALSE(fmcw_sign_is_open(200000, 200001, 2500));
+    /* Equal beats: the other reading would be a target at 0 m. */
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(1000, 1000, 2000));
+    TEST_ASSERT_TRUE(fmcw_sign_is_open(1000, 1001, 2000));
+}
+
+/* The other reading is that of -f+, and possible up to 10 km/h above the own speed. */
+static void test_open_sign_is_that_of_a_possible_closing_speed(void)
+{
+    int32_t sum_hz;
+
+    for (sum_hz = 1; sum_hz < FMCW_DIFF_END_HZ; sum_hz += 1117) {
+        int32_t up_hz = sum_hz / 3;
+        int16_t closing_dkmh = fmcw_closing_dkmh(-up_hz, sum_hz - up_hz);
+        if (closing_dkmh >= 100 && closing_dkmh < 2600) {
+            uint16_t own_dkmh = (uint16_t)(closing_dkmh - 100);
+            TEST_ASSERT_TRUE(fmcw_sign_is_open(up_hz, sum_hz - up_hz, own_dkmh));
+            TEST_ASSERT_TRUE(fmcw_sign_is_open(up_hz, sum_hz - up_hz, own_dkmh + 1U));
+            if (own_dkmh != 0) {
+                TEST_ASSERT_FALSE(fmcw_sign_is_open(up_hz, sum_hz - up_hz, own_dkmh - 1U));
+            }
+        } else {
+            TEST_ASSERT_EQUAL(closing_dkmh < 100, fmcw_sign_is_open(up_hz, sum_hz - up_hz, 0));
+        }
+    }
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(0, FMCW_DIFF_END_HZ - 1, 2500));
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(0, FMCW_DIFF_END_HZ, 2500));
+    TEST_ASSERT_FALSE(fmcw_sign_is_open(0, FMCW_DIFF_END_HZ + 1, 2500));
 }
 
 #ifndef __SDCC_mcs51
@@ -74,14 +101,20 @@ static void test_range_is_exact_to_a_centimetre(void)
     }
 }
 
+/* Rounded to the nearest, but for 1 Hz that is cut off before, and the rounding of the factor: half
+ * of 1 in 36743, of 4593 units. */
 static void test_closing_is_exact_to_a_tenth(void)
 {
     const double dkmh_per_hz = 299792458.0 / (4 * 77e9) * 36;
+    const double factor_dkmh = 4593 * 0.5 / 36743;
 
-    for (int32_t diff_hz = 1 - FMCW_DIFF_END_HZ; diff_hz < FMCW_DIFF_END_HZ; diff_hz++) {
-        double error_dkmh =
-            fmcw_closing_dkmh(150000 - diff_hz, 150000) - (double)diff_hz * dkmh_per_hz;
-        TEST_ASSERT_TRUE_MESSAGE(error_dkmh > -1.0 && error_dkmh < 1.0, "0.1 km/h");
+    for (int32_t diff_hz = 0; diff_hz < FMCW_DIFF_END_HZ; diff_hz++) {
+        int16_t dkmh = fmcw_closing_dkmh(150000 - diff_hz, 150000);
+        double error_dkmh = dkmh - (double)diff_hz * dkmh_per_hz;
+
+        TEST_ASSERT_TRUE_MESSAGE(error_dkmh < 0.5 + factor_dkmh, "0.1 km/h");
+        TEST_ASSERT_TRUE_MESSAGE(error_dkmh > -0.5 - dkmh_per_hz - factor_dkmh, "0.1 km/h");
+        TEST_ASSERT_EQUAL_INT16(-dkmh, fmcw_closing_dkmh(150000, 150000 - diff_hz));
     }
 }
 #endif
@@ -94,6 +127,7 @@ int main(void)
     RUN_TEST(test_opening_is_negative);
     RUN_TEST(test_limits_of_what_is_possible);
     RUN_TEST(test_open_sign_is_seen_only_where_both_readings_are_possible);
+    RUN_TEST(test_open_sign_is_that_of_a_possible_closing_speed);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_range_is_exact_to_a_centimetre);
     RUN_TEST(test_closing_is_exact_to_a_tenth);

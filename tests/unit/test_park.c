@@ -265,16 +265,6 @@ static void test_lost_link_ends_the_check_and_it_begins_anew(void)
 }
 #endif
 
-static void test_sines(void)
-{
-    TEST_ASSERT_EQUAL_INT16(0, plan_sine_q15(0));
-    TEST_ASSERT_INT16_WITHIN(4, 16384, plan_sine_q15(5461));
-    TEST_ASSERT_EQUAL_INT16(32767, plan_sine_q15(QUARTER_TURN));
-    TEST_ASSERT_EQUAL_INT16(0, plan_sine_q15(2 * QUARTER_TURN));
-    TEST_ASSERT_EQUAL_INT16(-32767, plan_sine_q15(3 * QUARTER_TURN));
-    TEST_ASSERT_INT16_WITHIN(4, -23170, plan_sine_q15(57344U));
-}
-
 static void expect_refused(int16_t x, int16_t y)
 {
     send(x, y, 1234);
@@ -336,14 +326,6 @@ static void test_laws_against_floating_point(void)
     }
     TEST_ASSERT_TRUE(ties < states / 25);
 }
-
-static void test_sines_of_all_angles(void)
-{
-    for (unsigned angle = 0; angle < 65536; angle++) {
-        TEST_ASSERT_DOUBLE_WITHIN(5, 32768 * sin(angle / 65536.0 * 360 / DEG),
-                                  plan_sine_q15((uint16_t)angle));
-    }
-}
 #endif
 
 int main(void)
@@ -363,11 +345,9 @@ int main(void)
     RUN_TEST(test_out_of_the_dead_zone_the_car_is_ready_for_the_next_start);
     RUN_TEST(test_lost_link_ends_the_check_and_it_begins_anew);
 #endif
-    RUN_TEST(test_sines);
     RUN_TEST(test_values_out_of_range_are_refused_and_change_nothing);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_laws_against_floating_point);
-    RUN_TEST(test_sines_of_all_angles);
 #endif
     return UNITY_END();
 }
