@@ -40,9 +40,8 @@
 #define FOLLOW_YIELDS 1
 #endif
 
-/* The throttle is a servo pulse: from closed to full, which is 2 m/s2. The brake is 100 % at 2
- * m/s2.
- */
+/* The throttle is a servo pulse, from closed to full. Full throttle and 100 % of brake are 2 m/s2
+ * each. */
 #define FOLLOW_THROTTLE_CLOSED_US 1000U
 #define FOLLOW_THROTTLE_FULL_US   2000U
 

@@ -19,8 +19,8 @@
 void frames_init(void);
 void frames_round(void);
 
-/* The faults, as telemetry reports them. FRAMES_FAULT_TABLE and higher last until the next start.
- */
+/* The faults, as telemetry reports them. From FRAMES_FAULT_TABLE on they last until the next
+ * start. */
 enum frames_fault {
     FRAMES_FAULT_NONE,
     FRAMES_FAULT_LINK,     /* the link is lost, and not up again yet (link.h) */

@@ -25,8 +25,7 @@ void link_init(uint8_t state, uint16_t now_ms)
                 \old(frames_good) == LINK_GOOD_FRAMES - 1; */
 bool link_good(uint16_t now_ms)
 {
-    /* If the silence was too long, the frame that ends it does not count as if it had come in time.
-     */
+    /* The frame that ends too long a silence does not count as if it had come in time. */
     (void)link_check(now_ms);
     if (link != LINK_UP) {
         frames_good++;

@@ -59,9 +59,8 @@
 #define GAP_CREEP_CMPS 30U
 #define GAP_HOLD_CMPS2 30
 
-/* The throttle is a servo pulse: from closed to full, which is 8 m/s2. The brake is 100 % at 8
- * m/s2.
- */
+/* The throttle is a servo pulse, from closed to full. Full throttle and 100 % of brake are 8 m/s2
+ * each. */
 #define GAP_THROTTLE_CLOSED_US 1000U
 #define GAP_THROTTLE_FULL_US   2000U
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The polar form of a point, by CORDIC: 13 steps of shifts and sums turn the point onto the axis.
- */
+/* The polar form of a point, by CORDIC: 13 steps of shifts and sums turn it onto the axis. */
 #ifndef FUZZY51_CORDIC_H
 #define FUZZY51_CORDIC_H
 

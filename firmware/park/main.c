@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The parking controller: place and heading -> two steering laws, blended -> servo, and the stop.
- */
+/* The parking controller: place and heading -> two steering laws, blended -> servo and stop. */
 #include "frames.h"
 #include "park.h"
 

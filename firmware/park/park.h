@@ -40,8 +40,7 @@
  *     READY      it ends beside it -> DEAD_ZONE
  * In every state but the last two, Y <= 0 -> ARRIVED. ARRIVED, DEAD_ZONE and READY end with the
  * next start: only then does the car drive. DEAD_ZONE and READY drive the way in thought again and
- * again, each time from where the car is then. So they are right when the car has stood for 15 s.
- */
+ * again, each time from where the car is then. So they are right once it has stood for 15 s. */
 enum park_state {
     PARK_WAITING,  /* the link was never up: the car stands */
     PARK_CHECKING, /* the car stands */

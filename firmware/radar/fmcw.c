@@ -54,7 +54,7 @@ int16_t fmcw_closing_dkmh(int32_t up_hz, int32_t down_hz)
 
 bool fmcw_sign_is_open(int32_t up_hz, int32_t down_hz, uint16_t own_dkmh)
 {
-    int32_t diff_hz = up_hz + down_hz;
+    int32_t diff_hz = up_hz + down_hz; /* with -up_hz in place of up_hz */
 
     if (diff_hz >= FMCW_DIFF_END_HZ || up_hz >= down_hz) {
         return false;

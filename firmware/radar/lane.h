@@ -25,9 +25,10 @@ uint16_t lane_sine_q16(uint16_t angle_turn16);
 /* Returns whether the target is in the own lane.
  *     range_cm        any; beyond LANE_RANGE_MAX_CM the answer is false
  *     azimuth_turn16  -LANE_AZIMUTH_MAX_TURN16..LANE_AZIMUTH_MAX_TURN16
- *     curvature_upm   1 / r0 in millionths of 1/m, -32767..32767: radius 30.5 m or more; 0:
- * straight Azimuth and curvature are positive to the same side. Right to 3 cm; but a target more
- * than 38 degrees of the bend away is never in the own lane. */
+ *     curvature_upm   1 / r0 in millionths of 1/m, -32767..32767: radius 30.5 m or more;
+ *                     0: straight
+ * Azimuth and curvature are positive to the same side. Right to 3 cm; but a target more than 38
+ * degrees of the bend away is never in the own lane. */
 /*@ requires -LANE_AZIMUTH_MAX_TURN16 <= azimuth_turn16 <= LANE_AZIMUTH_MAX_TURN16;
     requires curvature_upm > -32768;
     assigns \nothing;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The radar controller: beat frequencies -> safe distance, lane, table -> brake and throttle cut.
- */
+/* The radar controller: beat frequencies -> safe distance, lane, table -> brake, throttle cut. */
 #include "frames.h"
 #include "radar.h"
 

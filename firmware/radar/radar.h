@@ -45,8 +45,9 @@
  *     0  i24  beat of the up sweep, Hz
  *     3  i24  beat of the down sweep, Hz
  *     6  i16  azimuth, 65,536ths of a turn, positive to the left; RADAR_NO_TARGET: an empty place
- * In whatever order: the nearest one in the own lane counts. A head sends the same number in each
- * frame, with empty places, because frames of different length do not come evenly. */
+ * In whatever order: the nearest one in the own lane counts; of two at the same range, the first. A
+ * head sends the same number in each frame, with empty places, because frames of different length
+ * do not come evenly. */
 #define RADAR_PAYLOAD_BYTES 5
 #define RADAR_TARGET_BYTES  8
 #define RADAR_TARGETS_MAX   8U

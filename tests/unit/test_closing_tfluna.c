@@ -195,7 +195,6 @@ static void test_a_place_behind_the_sensor_is_foreseen_below_zero(void)
     TEST_ASSERT_TRUE(closing_smooth.closing_mmps > 10000U);
 }
 
-/* The sum tells each bit of what is kept from one reading to the next. */
 /* Rounded down: 1 mm in n/100 s is 50 / n units of 2 mm/s, which is in the table as 1 / 4096. */
 static void test_each_time_has_its_rate(void)
 {
@@ -249,6 +248,26 @@ static void test_the_way_of_a_quarter_of_a_second_is_foreseen(void)
     TEST_ASSERT_EQUAL_INT16(-250, (int16_t)closing_foreseen_mm);
 }
 
+/* A quarter of a mm on either side of the furthest. */
+static void test_the_furthest_is_320_mm_to_a_quarter(void)
+{
+    int16_t off_4mm;
+
+    for (off_4mm = -1290; off_4mm <= 1290; off_4mm = off_4mm == -1270 ? 1270 : off_4mm + 1) {
+        int16_t counts_4mm = off_4mm < -1280 ? -1280 : off_4mm > 1280 ? 1280 : off_4mm;
+
+        closing_place_mm = 4000;
+        foreseen_4mm = (uint16_t)(4000 * 4 + off_4mm);
+        smooth_2mmps = 1000;
+        closing_take_smooth();
+        /* 640 of 128 and 240 of 16 make the numbers positive, so that both divisions round down. */
+        TEST_ASSERT_EQUAL_UINT16(1000 + (counts_4mm * 25L + 640L * 128) / 128 - 640, smooth_2mmps);
+        TEST_ASSERT_EQUAL_UINT16(foreseen_4mm - ((counts_4mm * 3 + 240 * 16) / 16 - 240),
+                                 smooth_4mm);
+    }
+}
+
+/* The sum tells each bit of what is kept from one reading to the next. */
 static void test_each_bit_changes_the_sum(void)
 {
     uint8_t sum, bit;
@@ -298,6 +317,7 @@ int main(void)
     RUN_TEST(test_each_time_has_its_rate);
     RUN_TEST(test_a_place_off_moves_speed_and_place_by_their_parts);
     RUN_TEST(test_the_way_of_a_quarter_of_a_second_is_foreseen);
+    RUN_TEST(test_the_furthest_is_320_mm_to_a_quarter);
     RUN_TEST(test_each_bit_changes_the_sum);
     return UNITY_END();
 }

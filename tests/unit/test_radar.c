@@ -509,6 +509,15 @@ static void test_the_nearest_of_several_targets_in_the_own_lane_rules(void)
     expect(RADAR_BRAKING, 55);
 }
 
+static void test_of_two_targets_at_the_same_range_the_first_one_rules(void)
+{
+    put_own_car(100 * KMH, 0, RADAR_SIGNED);
+    put_range(5000, 30 * KMH, 0);
+    put_range(5000, 20 * KMH, 0);
+    receive_targets(2);
+    expect_target(5000, 30 * KMH);
+}
+
 static void test_the_last_of_the_most_targets_can_be_the_one(void)
 {
     uint8_t target;
@@ -591,6 +600,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_the_nearest_of_several_targets_in_the_own_lane_rules);
+    RUN_TEST(test_of_two_targets_at_the_same_range_the_first_one_rules);
     RUN_TEST(test_the_last_of_the_most_targets_can_be_the_one);
     RUN_TEST(test_targets_beside_and_empty_places_are_no_target);
     RUN_TEST(test_one_impossible_target_spoils_its_frame_and_no_other);

@@ -137,16 +137,30 @@ static void test_a_frame_with_a_wrong_bit_is_none(void)
     }
 }
 
+/* Behind a good frame and behind one with a wrong sum, and wherever in the ring it begins. */
 static void test_a_sum_without_a_head_is_no_frame(void)
 {
-    uint8_t byte;
+    uint8_t at, byte;
 
-    for (byte = 0; byte < 2; byte++) {
+    for (at = 0; at < RANGE_RING_BYTES; at++) {
+        for (byte = 0; byte < 2; byte++) {
+            make(300, 1000, 2272);
+            TEST_ASSERT_EQUAL_UINT8(1, feed(0, FRAME_BYTES));
+            frame[byte]++;
+            seal();
+            TEST_ASSERT_EQUAL_UINT8(0, feed(0, FRAME_BYTES));
+            range_restart();
+            make(300, 1000, 2272);
+            frame[FRAME_BYTES - 1U]++;
+            TEST_ASSERT_EQUAL_UINT8(0, feed(0, FRAME_BYTES));
+            range_restart();
+            frame[byte]++;
+            seal();
+            TEST_ASSERT_EQUAL_UINT8(0, feed(0, FRAME_BYTES));
+            range_restart();
+        }
+        send(0);
         range_restart();
-        make(300, 1000, 2272);
-        frame[byte]++;
-        seal();
-        TEST_ASSERT_EQUAL_UINT8(0, feed(0, FRAME_BYTES));
     }
 }
 
