@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Polar form: spot values on the chip, and on the host the whole domain against libm and against the
- * method in floating point. */
+/* Polar form: spot values on the chip, and on the host the whole domain against libm and against
+ * the method in floating point. */
 #include "cordic.h"
 #include <stddef.h>
 #include "unity.h"
@@ -79,9 +79,9 @@ static void test_whole_domain_against_libm(void)
     }
 }
 
-/* The method: a point that is less than half the domain in both ways is made twice as large, at most
- * four times. Then step i turns it towards the axis by atan(2^-i), and a point on the axis as if it
- * were beside it. All numbers are whole, rounded down. */
+/* The method: a point that is less than half the domain in both ways is made twice as large, at
+ * most four times. Then step i turns it towards the axis by atan(2^-i), and a point on the axis as
+ * one of the positive side. All numbers are whole, rounded down. */
 static void expect_method(int across, int along)
 {
     double x = along, y = abs(across), angle = 0, enlarged = 1;
