@@ -7,8 +7,8 @@ UNITY_FLAGS := -I$(UNITY) -Itools -Wno-conversion $(DRIVE_ROOMS)
 include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/rules.mk))
 
 # Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip; the
-# drives of each board, law and controller, and the long ones. s51 drives the brake on the
-# default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
+# drives of each board, law and controller, and the long ones. What takes longest begins first. s51 drives
+# the brake on the default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(filter $(ALL_IMAGES),$(LOOP_FOLDERS)))
 OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) long,$(LOOP_FOLDERS))
@@ -17,14 +17,14 @@ ON_DEFAULT   := $(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
 LAW_BOARD    := $(or $(BOARD),$(DEFAULT_BOARD))
 LONG_TESTS   := tests/tools/test_frame_seeds.sh
 SHELL_TESTS  := $(filter-out $(LONG_TESTS),$(wildcard tests/tools/test_*.sh tests/chip/test_*.sh))
-TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %') \
+TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %') $(COVERAGE_SUITE) \
     $(SHELL_TESTS) $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS:%='tests/run_chip.sh %') \
     $(OTHER_BOARDS:%='tests/run_loop.sh %') \
     $(if $(ON_DEFAULT),$(OTHER_LOOPS:%='tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%')) \
     $(foreach law,$(BRAKE_LOOPS),'APP=$(law) tests/run_loop.sh $(LAW_BOARD) tests/loop/$(law)') \
     'APP=tuned tests/run_loop.sh $(LAW_BOARD) tests/loop/brake' \
     $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop tests/loop/brake tests/loop/tuned tests/loop/long/*_noise.scn') \
-    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES) $(COVERAGE_SUITE)
+    $(patsubst %,'tests/run_loop.sh % tests/loop/long',$(or $(BOARD),$(BOARDS))) $(STEPS_SUITES)
 
 # tests/loop/brake holds what befalls the chip, which only the fast engine can do; both laws of the brake drive it.
 # brake_far, with the other sensor, takes all these drives, too.

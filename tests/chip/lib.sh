@@ -87,15 +87,17 @@ s51_pin() { # TIME_US echo|override LEVEL
     printf '#%d500\n%d%s\n' "$1" "$3" "$id" >&"$s51_pins"
 }
 
-s51_bits() { # COUNT NUMBER
-    local bits='' k
+s51_bits() { # COUNT NUMBER; leaves them in $bits
+    local k
+    bits=
     for ((k = $1 - 1; k >= 0; k--)); do bits+=$(($2 >> k & 1)); done
-    echo "$bits"
 }
 
 # s51 drops the top bit of a vector, so this one has 16.
 s51_set() { # TIME_US BYTE
-    printf '#%d500\nb%s &\n' "$1" "$(s51_bits 16 "$2")" >&"$s51_pins"
+    local bits
+    s51_bits 16 "$2"
+    printf '#%d500\nb%s &\n' "$1" "$bits" >&"$s51_pins"
 }
 
 # Echoes of a target at DIST_MM (none: the sensor's 38 ms for a clear road), as answers to the triggers
@@ -111,7 +113,9 @@ s51_echoes() { # FIRST_US FROM TO DIST_MM|none
 }
 
 s51_jump() { # TIME_US ADDRESS
-    printf '#%d500\nb%s *\n' "$1" "$(s51_bits 16 "$2")" >&"$s51_pins"
+    local bits
+    s51_bits 16 "$2"
+    printf '#%d500\nb%s *\n' "$1" "$bits" >&"$s51_pins"
 }
 
 s51_type() {

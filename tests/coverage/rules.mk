@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Coverage: the unit tests once more, as gcov wants them; run.sh adds up what they reached.
+# Coverage: the unit tests once more, as gcov wants them, with shorter sweeps; run.sh adds up what they reached.
 COVERAGE       := build/coverage
 COVERAGE_TESTS := $(UNIT_TESTS:build/%=$(COVERAGE)/%)
 
 $(COVERAGE)/%.o: %.c build/unit/lut_table.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) -O0 --coverage -std=c11 -w -MMD -MP $(UNIT_FLAGS) -c $< -o $@
+	$(Q)$(CC) -O0 --coverage -std=c11 -w -MMD -MP -DSWEEP=7 $(UNIT_FLAGS) -c $< -o $@
 $(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: UNIT_FLAGS := -Ibuild/unit/$(image) $(UNIT_FLAGS)))
 $(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: build/unit/$(image)/lut_table.h))
 $(COVERAGE)/unity.o: $(UNITY)/unity.c

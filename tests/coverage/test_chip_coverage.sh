@@ -167,50 +167,46 @@ while read -r one; do
     sed -n 's/\.rel$/.rst/p' "build/$one.lk"
 done <"$out/images" | xargs awk -f tests/coverage/instructions.awk >"$out/instructions"
 
-# Those whose line says why.
+# Lines that say why.
 grep -rnE 'unreached: ' firmware/mcu firmware/*/main.c firmware/frames/frames.c |
     awk -F: '{ for (line = $2; line <= $2 + 2; line++) print $1 ":" line }' >"$out/explained"
+
+# What is left: the image, its address and its name of each instruction that no program has run yet.
 awk -F '\t' 'FILENAME ~ /explained$/ { explained[$0]; next }
-    { split($3, part, " ") } part[1] in explained { print $3 }' "$out/explained" "$out/instructions" | sort -u >"$out/reached"
-
-# The image, its address and its name of each instruction that is left, of an image, of a board's or of all.
-left() { # [BOARD/[IMAGE]]
-    awk -F '\t' -v of="${1:-}" 'FILENAME !~ /instructions$/ { done[$0]; next }
-        index($1 "/", of) == 1 && !($3 in done)' "$out/reached" "$out/instructions"
-}
+    { split($3, part, " ") } !(part[1] in explained)' "$out/explained" "$out/instructions" >"$out/left"
 reach() {
-    awk -F '\t' -v image="$image" 'FILENAME ~ /covered$/ { ran[$0]; next } FILENAME ~ /reached$/ { done[$0]; next }
-        $1 == image && $2 in ran && !($3 in done) { print $3 }' "$out/covered" "$out/reached" "$out/instructions" >"$out/new"
-    cat "$out/new" >>"$out/reached"
+    awk -F '\t' -v image="$image" 'FILENAME ~ /covered$/ { ran[$0]; next } $1 == image && $2 in ran { print $3 }' \
+        "$out/covered" "$out/left" >"$out/new"
+    [ -s "$out/new" ] || return
+    awk -F '\t' 'FILENAME ~ /new$/ { done[$0]; next } !($3 in done)' "$out/new" "$out/left" >"$out/still_left"
+    mv "$out/still_left" "$out/left"
 }
 
-# Runs the way of this number of each image of a board that has something left. Fails if there was none.
-run_ways() { # NUMBER
-    local words driven=1
+# Runs these ways of each image of a board, until nothing of it is left.
+run_ways() { # FROM TO
+    local words
     while read -r image; do
-        left "$image/" | grep -q . || continue
         hex=build/$image.ihx
-        words=$(ways "$(sed -n 's|.*/\([a-z]*\)/main\.rel$|\1|p' "build/$image.lk")" | sed -n "${1}p")
-        [ -n "$words" ] || continue
-        driven=0
-        : >"$out/covered"
-        # shellcheck disable=SC2086  # the words of a way
-        $words </dev/null
-        reach
-        echo "$image: $words: $(wc -l <"$out/new") new" >>"$out/log"
-    done < <(left "$board/" | cut -f 1 | uniq)
-    return $driven
+        while read -r words; do
+            grep -q "^$image"$'\t' "$out/left" || break
+            : >"$out/covered"
+            # shellcheck disable=SC2086  # the words of a way
+            $words </dev/null
+            reach
+            echo "$image: $words: $(wc -l <"$out/new") new" >>"$out/log"
+        done < <(ways "$(sed -n 's|.*/\([a-z]*\)/main\.rel$|\1|p' "build/$image.lk")" | sed -n "$1,$2p")
+    done < <(grep "^$board/" "$out/images")
 }
-# First the ways above on each board: what the default board does not run, another one may. Then all the rest.
-FEW=20
-for board in $boards; do
-    for ((way = 1; way <= FEW; way++)); do run_ways $way || break; done
-done
-for board in $boards; do
-    for ((way = FEW + 1; ; way++)); do run_ways $way || break; done
-done
+# In several goes, each on all boards: what one image does not run, another one may. First the usual drive, then what
+# is above, then the drives of tests/loop.
+run_ways_of_boards() { # FROM TO
+    for board in $boards; do run_ways "$@"; done
+}
+run_ways_of_boards 1 1
+run_ways_of_boards 2 12
+run_ways_of_boards 13 20
+run_ways_of_boards 21 '$'
 
-left >"$out/left"
 cut -f 3 "$out/instructions" | sort -u >"$out/names"
 sed 's/:.*//' "$out/names" | sort -u >"$out/files"
 while read -r file; do
