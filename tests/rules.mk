@@ -8,7 +8,8 @@ include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/
 
 # Suites: the tests of the tools; the unit tests on the host and on the chip; the scripts for the chip; the
 # drives of each board, law and controller, and the long ones. What takes longest begins first. s51 drives
-# the brake on the default board, and what is about s51 says so itself. The fast engine runs all else, unless ENGINE names another.
+# the brake on the default board, and what is about s51 says so itself. The fast engine runs all else, unless
+# ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(filter $(ALL_IMAGES),$(LOOP_FOLDERS)))
 OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) long,$(LOOP_FOLDERS))
