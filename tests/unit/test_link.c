@@ -76,6 +76,7 @@ static void test_bad_frames_are_no_sign_of_life(void)
     bring_up(0);
     for (now_ms = 20; now_ms < 220; now_ms += 20) {
         link_bad();
+        TEST_ASSERT_EQUAL_UINT8(LINK_UP, link_check(now_ms));
     }
     TEST_ASSERT_EQUAL_UINT8(LINK_LOST, link_check(220));
 }

@@ -71,19 +71,23 @@ static void send(int32_t up_hz, int32_t down_hz, int16_t azimuth, uint16_t own_d
     receive_targets(1);
 }
 
-/* A target straight ahead: the beats of a range and a closing speed, to the nearest Hz. */
-static void send_target(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dkmh)
+/* The beats of a range and a closing speed, to the nearest Hz. The target is straight ahead, or so
+ * far to the left. */
+static void put_range(uint16_t range_cm, int16_t closing_dkmh, int16_t aside_cm)
 {
     int32_t range_hz =
         (int32_t)(((uint32_t)range_cm * 100069UL + 5000) / 10000) + 15; /* up to a whole step */
     int32_t speed_hz = (int32_t)closing_dkmh * 1427L / 100;
 
-    send(range_hz - speed_hz, range_hz + speed_hz, 0, own_dkmh, 0, RADAR_SIGNED);
+    put_target(range_hz - speed_hz, range_hz + speed_hz,
+               (int16_t)((int32_t)aside_cm * 10430L / (int32_t)range_cm)); /* 65536 / (2 pi) */
 }
 
 static void step(uint16_t range_cm, int16_t closing_dkmh, uint16_t own_dkmh)
 {
-    send_target(range_cm, closing_dkmh, own_dkmh);
+    put_own_car(own_dkmh, 0, RADAR_SIGNED);
+    put_range(range_cm, closing_dkmh, 0);
+    receive_targets(1);
     TEST_ASSERT_TRUE(radar_read());
     radar_decide();
 }
@@ -473,16 +477,6 @@ static void test_values_out_of_range_are_refused_and_change_nothing(void)
     expect_refused();
     send(-10000, 9999, 0, 1000, 0, flags);
     expect_refused();
-}
-
-/* A target straight ahead, or in the next lane to the left, among several. */
-static void put_range(uint16_t range_cm, int16_t closing_dkmh, int16_t aside_cm)
-{
-    int32_t range_hz = (int32_t)(((uint32_t)range_cm * 100069UL + 5000) / 10000) + 15;
-    int32_t speed_hz = (int32_t)closing_dkmh * 1427L / 100;
-
-    put_target(range_hz - speed_hz, range_hz + speed_hz,
-               (int16_t)((int32_t)aside_cm * 10430L / (int32_t)range_cm)); /* 65536 / (2 pi) */
 }
 
 #define NEXT_LANE_CM 375
