@@ -42,11 +42,11 @@ void tearDown(void)
     listing_free(&listing);
 }
 
-/* A function at WORK with a loop in it, whose header is its first instruction. */
+/* A function at WORK with a loop in it. */
 struct loop {
     const char *what;
     uint8_t code[32];
-    int first, last; /* of the loop's instructions, from WORK on */
+    int header, first, last; /* of the loop's instructions, from WORK on */
     long rounds, steps;
 };
 
@@ -70,7 +70,7 @@ static long count(const struct loop *loop, long steps_max)
         if (at >= loop->first && at <= loop->last) {
             members[member_count++] = i;
         }
-        if (at == loop->first) {
+        if (at == loop->header) {
             header = i;
         }
     }
@@ -101,7 +101,7 @@ static void run(const struct loop *loop, long *rounds, long *steps)
     while (mcs52_pc(chip) != 6) {
         int at = mcs52_pc(chip) - WORK;
 
-        *rounds += at == loop->first;
+        *rounds += at == loop->header;
         *steps += at >= loop->first && at <= loop->last;
         TEST_ASSERT_LESS_THAN_MESSAGE(100000, mcs52_cycles(chip), loop->what);
         mcs52_step(chip);
@@ -112,12 +112,25 @@ static void run(const struct loop *loop, long *rounds, long *steps)
 static void test_counted_loops_go_back_as_often_as_in_the_simulator(void)
 {
     static const struct loop loops[] = {
-        {"mov r7,#5; nop; djnz r7", {0x7F, 5, 0x00, 0xDF, 0xFD, 0x22}, 2, 3, 4, 0},
-        {"mov 0x20,#1; djnz 0x20: never back", {0x75, 0x20, 1, 0xD5, 0x20, 0xFD, 0x22}, 3, 3, 0, 0},
-        {"mov r7,#0; djnz r7", {0x7F, 0, 0xDF, 0xFE, 0x22}, 2, 2, 255, 0},
-        {"up: mov r7,#0; inc r7; cjne r7,#10", {0x7F, 0, 0x0F, 0xBF, 10, 0xFC, 0x22}, 2, 3, 9, 0},
+        {"mov r7,#5; nop; djnz r7", {0x7F, 5, 0x00, 0xDF, 0xFD, 0x22}, 2, 2, 3, 4, 0},
+        {"mov 0x20,#1; djnz 0x20: never back",
+         {0x75, 0x20, 1, 0xD5, 0x20, 0xFD, 0x22},
+         3,
+         3,
+         3,
+         0,
+         0},
+        {"mov r7,#0; djnz r7", {0x7F, 0, 0xDF, 0xFE, 0x22}, 2, 2, 2, 255, 0},
+        {"up: mov r7,#0; inc r7; cjne r7,#10",
+         {0x7F, 0, 0x0F, 0xBF, 10, 0xFC, 0x22},
+         2,
+         2,
+         3,
+         9,
+         0},
         {"up, by the carry: inc r7; cjne r7,#10,next; jc",
          {0x7F, 0, 0x0F, 0xBF, 10, 0, 0x40, 0xFA, 0x22},
+         2,
          2,
          6,
          9,
@@ -125,11 +138,13 @@ static void test_counted_loops_go_back_as_often_as_in_the_simulator(void)
         {"up, by subb: inc r7; clr c; mov a,r7; subb a,#10; jc",
          {0x7F, 0, 0x0F, 0xC3, 0xEF, 0x94, 10, 0x40, 0xF9, 0x22},
          2,
+         2,
          7,
          9,
          0},
         {"down: mov r7,#10; dec r7; mov a,r7; jnz",
          {0x7F, 10, 0x1F, 0xEF, 0x70, 0xFC, 0x22},
+         2,
          2,
          4,
          9,
@@ -137,11 +152,13 @@ static void test_counted_loops_go_back_as_often_as_in_the_simulator(void)
         {"two bytes: djnz r6; djnz r7",
          {0x7E, 44, 0x7F, 2, 0xDE, 0xFE, 0xDF, 0xFC, 0x22},
          4,
+         4,
          6,
          43 + 1 + 255,
          0},
         {"16 bits: inc dptr; mov a,dpl; cjne a,#0x10; mov a,dph; cjne a,#2",
          {0x90, 0, 0, 0xA3, 0xE5, 0x82, 0xB4, 0x10, 0xFA, 0xE5, 0x83, 0xB4, 2, 0xF5, 0x22},
+         3,
          3,
          11,
          0x210 - 1,
@@ -149,11 +166,13 @@ static void test_counted_loops_go_back_as_often_as_in_the_simulator(void)
         {"a bit: mov 0x20,#0; cpl 0x20.1; jb 0x20.1",
          {0x75, 0x20, 0, 0xB2, 1, 0x20, 1, 0xFB, 0x22},
          3,
+         3,
          5,
          1,
          0},
         {"a call that leaves the counter: lcall; djnz r7",
          {0x7F, 5, 0x12, 0x02, 0x00, 0xDF, 0xFB, 0x22},
+         2,
          2,
          5,
          4,
@@ -161,11 +180,13 @@ static void test_counted_loops_go_back_as_often_as_in_the_simulator(void)
         {"the inner loop counts anew: mov r6,#1; djnz r6; djnz r7",
          {0x7F, 3, 0x7E, 1, 0xDE, 0xFE, 0xDF, 0xFA, 0x22},
          2,
+         2,
          6,
          2,
          0},
         {"a switch's ret: push dpl; push dph; ret; djnz r7",
          {0x7F, 5, 0x90, 0x01, 0x0A, 0xC0, 0x82, 0xC0, 0x83, 0x22, 0xDF, 0xF6, 0x22},
+         2,
          2,
          10,
          4,
@@ -173,11 +194,13 @@ static void test_counted_loops_go_back_as_often_as_in_the_simulator(void)
         {"a jump to what is known: mov dptr; clr a; jmp @a+dptr; djnz r7",
          {0x7F, 5, 0x90, 0x01, 0x07, 0xE4, 0x73, 0xDF, 0xF9, 0x22},
          2,
+         2,
          7,
          4,
          0},
         {"what two ways into the loop both know: jz; mov r7,#5; sjmp; mov r7,#5; djnz r7",
          {0x60, 4, 0x7F, 5, 0x80, 2, 0x7F, 5, 0xDF, 0xFE, 0x22},
+         8,
          8,
          8,
          4,
@@ -204,19 +227,43 @@ static void test_loops_in_which_the_data_decide(void)
         {"an unknown way round an instruction: jz; nop; djnz r7",
          {0x7F, 5, 0x60, 1, 0x00, 0xDF, 0xFB, 0x22},
          2,
+         2,
          5,
          4,
          5 * 3},
-        {"an unknown way out: jz; djnz r7", {0x7F, 5, 0x60, 2, 0xDF, 0xFC, 0x22}, 2, 4, 4, 5 * 2},
+        {"an unknown way out: jz; djnz r7",
+         {0x7F, 5, 0x60, 2, 0xDF, 0xFC, 0x22},
+         2,
+         2,
+         4,
+         4,
+         5 * 2},
         {"the ways leave different values: jz; inc r6; djnz r7; in the second round r6 is unknown",
          {0x7E, 1, 0x7F, 5, 0x60, 1, 0x0E, 0xDF, 0xFB, 0x22},
+         4,
          4,
          7,
          4,
          5 * 3 + 1},
-        {"at the entry: jc; setb c; sjmp", {0x40, 3, 0xD3, 0x80, 0xFB, 0x22}, 0, 3, 1, 3 + 1},
+        {"a node told twice before its turn: header: jz other; djnz r7; other: inc r6; sjmp back",
+         {0x7E, 1, 0x7F, 5, 0x80, 3, 0x0E, 0x80, 2, 0x60, 0xFB, 0xDF, 0xFC, 0x22},
+         9,
+         6,
+         11,
+         4,
+         5 * 4},
+        {"a switch of three: mov dptr; jmp @a+dptr; ljmp, ljmp, ljmp to djnz r7",
+         {0x7F, 5, 0x90, 0x01, 0x06, 0x73, 0x02, 0x01, 0x0F, 0x02, 0x01, 0x0F, 0x02, 0x01, 0x0F,
+          0xDF, 0xF1, 0x22},
+         2,
+         2,
+         15,
+         4,
+         5 * 6},
+        {"at the entry: jc; setb c; sjmp", {0x40, 3, 0xD3, 0x80, 0xFB, 0x22}, 0, 0, 3, 1, 3 + 1},
         {"jbc asks for what is not known afterwards: mov r7,#3; jbc 0; djnz r7",
          {0x7F, 3, 0x10, 0, 2, 0xDF, 0xFB, 0x22},
+         2,
          2,
          5,
          2,
@@ -231,9 +278,10 @@ static void test_loops_in_which_the_data_decide(void)
 static void test_loops_that_have_no_count(void)
 {
     static const struct loop loops[] = {
-        {"an unknown counter: djnz r7", {0xDF, 0xFE, 0x22}, 0, 0, NONE, 1000},
+        {"an unknown counter: djnz r7", {0xDF, 0xFE, 0x22}, 0, 0, 0, NONE, 1000},
         {"the data decide how it counts: jz; dec r7; djnz r7",
          {0x7F, 5, 0x60, 1, 0x1F, 0xDF, 0xFB, 0x22},
+         2,
          2,
          5,
          NONE,
@@ -242,17 +290,20 @@ static void test_loops_that_have_no_count(void)
          {0x60, 4, 0x7F, 5, 0x80, 2, 0x7F, 6, 0xDF, 0xFE, 0x22},
          8,
          8,
+         8,
          NONE,
          1000},
         {"a call changes the counter: lcall; djnz r7",
          {0x7F, 5, 0x12, 0x02, 0x10, 0xDF, 0xFB, 0x22},
          2,
+         2,
          5,
          NONE,
          1000},
-        {"it never ends: mov a,#1; jnz", {0x74, 1, 0x70, 0xFE, 0x22}, 2, 2, NONE, 1000},
+        {"it never ends: mov a,#1; jnz", {0x74, 1, 0x70, 0xFE, 0x22}, 2, 2, 2, NONE, 1000},
         {"it never ends, and turns a bit: clr c; cpl c; sjmp",
          {0xC3, 0xB3, 0x80, 0xFD},
+         1,
          1,
          2,
          NONE,
@@ -262,6 +313,7 @@ static void test_loops_that_have_no_count(void)
         {"the stack is lost",
          {0xC0, 0x08, 0x85, SP,   0x08, 0x78, 0x30, 0x7F, 3,    0xF6,
           0x85, 0x08, SP,   0x78, 0x08, 0xDF, 0xF8, 0xD0, 0x08, 0x22},
+         9,
          9,
          15,
          NONE,

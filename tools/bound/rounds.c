@@ -6,8 +6,9 @@
 
 /* A node of the loop. */
 struct place {
-    bool is_member, is_reached, is_queued;
-    struct values before; /* in this round, once it is reached; of the header: in the next one */
+    bool is_member, is_queued;
+    long round;           /* in which a way has led here last; from 1 on */
+    struct values before; /* it in that round; of the header: in the next one */
 };
 
 /* One loop that is taken round by round. */
@@ -18,7 +19,7 @@ struct turning {
     struct place *places; /* of all nodes of the function */
     int *queue;
     int queued;
-    long steps;
+    long round, steps;
 };
 
 /* Tells the node AT what is known on one of the ways to it. */
@@ -26,9 +27,9 @@ static void tell(struct turning *turning, int at, const struct values *values)
 {
     struct place *place = &turning->places[at];
 
-    if (!place->is_reached) {
+    if (place->round != turning->round) {
         place->before = *values;
-        place->is_reached = true;
+        place->round = turning->round;
     } else if (!values_merge(&place->before, values)) {
         return;
     }
@@ -44,19 +45,19 @@ static bool step(struct turning *turning, int at, struct values values)
 {
     const struct function *function = turning->function;
     const struct node *node = &function->nodes[at];
-    bool may_go[2] = {true, true}, is_branch = node->it.course == COURSE_BRANCH;
+    bool may_go[2] = {true, true}; /* of a branch, which has two successors */
 
     graph_step(turning->flow, node, &values);
     if (++turning->steps > turning->flow->steps_max || values_depth(&values) == VALUES_LOST) {
         return false;
     }
-    if (is_branch) {
+    if (node->it.course == COURSE_BRANCH) {
         values_branch(&values, &turning->flow->world, node->address, &may_go[0], &may_go[1]);
     }
     for (int i = 0; i < node->count; i++) {
         int to = function->successors[node->first + i];
 
-        if (turning->places[to].is_member && (!is_branch || may_go[i])) {
+        if (turning->places[to].is_member && (i > 1 || may_go[i])) {
             tell(turning, to, &values);
         }
     }
@@ -68,9 +69,6 @@ static bool turn(struct turning *turning)
 {
     struct values values = turning->places[turning->header].before;
 
-    for (int i = 0; i < turning->function->node_count; i++) {
-        turning->places[i].is_reached = false;
-    }
     if (!step(turning, turning->header, values)) {
         return false;
     }
@@ -115,14 +113,14 @@ static long count_rounds(struct turning *turning)
 {
     struct place *header = &turning->places[turning->header];
 
-    for (long rounds = 0;; rounds++) {
+    for (turning->round = 1;; turning->round++) {
         struct values before = header->before;
 
         if (!turn(turning)) {
             return NONE;
         }
-        if (!header->is_reached) {
-            return rounds;
+        if (header->round != turning->round) {
+            return turning->round - 1;
         }
         if (values_equal(&before, &header->before)) { /* it turns for ever */
             return NONE;
