@@ -108,7 +108,7 @@ void brake_init(uint8_t fault)
     assigns brake.brake_pct, brake.stop, brake.state, demand_pct, fault_state, fault_code,
             latch_state;
     ensures brake_is_valid && brake_is_settled;
-    ensures latch_state == (fault == BRAKE_FAULT_PWM && FAULT_PCT > 0 ? LATCH_HELD
+    ensures latch_state == (fault == BRAKE_FAULT_OUTPUT && FAULT_PCT > 0 ? LATCH_HELD
                                                                      : \old(latch_state));
     ensures t2_holds: FAULT_PCT > 0 ==> brake.brake_pct >= \old(brake.brake_pct); */
 void brake_fail(uint8_t fault)
@@ -117,7 +117,7 @@ void brake_fail(uint8_t fault)
         demand_fault();
     }
 #if FAULT_PCT > 0
-    if (fault == BRAKE_FAULT_PWM) {
+    if (fault == BRAKE_FAULT_OUTPUT) {
         latch_hold();
     }
 #endif

@@ -74,13 +74,13 @@ extern struct brake_output brake;
                             fault >= BRAKE_FAULT_TABLE ? FAULT_LASTING : FAULT_ON); */
 void brake_init(uint8_t fault);
 
-/* Goes to FAULT for one of the lasting faults, unless one is there. BRAKE_FAULT_PWM is STOP, too,
+/* Goes to FAULT for one of the lasting faults, unless one is there. BRAKE_FAULT_OUTPUT is STOP, too,
  * as the STOP pin still brakes; not where FAULT_PCT is 0. */
 /*@ requires fault_lasts(fault);
     ensures fault_state == FAULT_LASTING;
     ensures brake.state == BRAKE_FAULT;
     ensures !brake.overridden ==> brake.brake_pct >= FAULT_PCT;
-    ensures t11_pwm: fault == BRAKE_FAULT_PWM && FAULT_PCT > 0 && !brake.overridden ==>
+    ensures t11_pwm: fault == BRAKE_FAULT_OUTPUT && FAULT_PCT > 0 && !brake.overridden ==>
                 brake.stop && brake.brake_pct == 100; */
 void brake_fail(uint8_t fault);
 

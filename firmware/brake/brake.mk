@@ -8,7 +8,7 @@ IMAGES_OF_brake := brake tuned brake_far classic first none
 BRAKE_FILES_hcsr04 := brake/closing brake/range mcu/echo mcu/uart
 BRAKE_FILES_tfluna := brake/closing_tfluna brake/range_tfluna mcu/tfluna
 
-brake_modules  = brake/main $(filter-out lib/selftest,$(LIB_MODULES)) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) mcu/round mcu/registers mcu/code mcu/ram
+brake_modules  = brake/main $(filter-out lib/selftest,$(LIB_MODULES)) $(addprefix brake/,brake target latch fault warning) $(BRAKE_FILES_$(1)) $(addprefix mcu/,round registers outputs code ram)
 BRAKE_MODULES := $(call brake_modules,$(SENSOR))
 BRAKE_FISTAB   = --encoding=$(ENCODING) $(GRID:%=--grid=%) $(LEVELS:%=--levels=%) $(REPAIR:%=--repair=%)
 # What to try when an image is too large for its board.
@@ -51,4 +51,4 @@ $(1)_SMALLER  := $(BRAKE_SMALLER)
 $(1)_MODULES  := $(BRAKE_MODULES) brake/law_$(1)
 endef
 $(foreach law,classic first none,$(eval $(call brake_law,$(law))))
-$(foreach image,$(IMAGES_OF_brake),$(eval $(image)_CYCLES := $(BRAKE_CYCLES)))
+$(foreach image,$(IMAGES_OF_brake),$(eval $(image)_FLAGS += -DLUT_NO_CRC16)$(eval $(image)_CYCLES := $(BRAKE_CYCLES)))

@@ -17,7 +17,7 @@
 #include "cc51.h"
 #include "range.h"
 
-/* In the order of docs/brake.md. BRAKE_FAULT_TABLE to BRAKE_FAULT_IDLE and BRAKE_FAULT_PWM last
+/* In the order of docs/brake.md. BRAKE_FAULT_TABLE to BRAKE_FAULT_IDLE and BRAKE_FAULT_OUTPUT last
  * until the next start. */
 enum brake_fault {
     BRAKE_FAULT_NONE,
@@ -33,7 +33,7 @@ enum brake_fault {
     BRAKE_FAULT_STACK,      /* self-test: the stack reached the end of RAM */
     BRAKE_FAULT_IDLE,       /* self-test: the sensor's line is high at rest */
     BRAKE_FAULT_STATE,      /* what the decision keeps in RAM changed by itself; does not last */
-    BRAKE_FAULT_PWM,        /* the PWM pin is not as it was set */
+    BRAKE_FAULT_OUTPUT,     /* the PWM or the STOP pin is not as it was set */
 };
 
 /* So long without a believed reading, and how many such readings in a row end FAULT: three, or as
@@ -42,7 +42,7 @@ enum brake_fault {
 #define FAULT_GOOD_READINGS RANGE_READINGS_MIN(3U, 18U)
 
 /*@ predicate fault_lasts(integer code) =
-        BRAKE_FAULT_TABLE <= code <= BRAKE_FAULT_IDLE || code == BRAKE_FAULT_PWM; */
+        BRAKE_FAULT_TABLE <= code <= BRAKE_FAULT_IDLE || code == BRAKE_FAULT_OUTPUT; */
 
 enum fault_state { FAULT_GOOD, FAULT_ON, FAULT_LASTING };
 extern uint8_t fault_state;

@@ -113,6 +113,7 @@ uint8_t lut_between(uint16_t row_q8, uint16_t col_q8)
 }
 #endif
 
+#ifndef LUT_NO_CRC16
 uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
 {
     const uint8_t __code *byte = (const uint8_t __code *)lut_out1 + offset;
@@ -139,3 +140,4 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
     } while (--count != 0); /* rounds: 16, a slice of selftest.c */
     return (uint16_t)((uint16_t)high << 8 | low);
 }
+#endif

@@ -74,7 +74,8 @@ uint8_t lut_between(uint16_t row_q8, uint16_t col_q8);
 
 /* Adds `count` stored bytes from byte `offset` on to the check sum `crc` (crc16.h) and returns the
  * new sum. Slice by slice over all LUT_BYTES, from LUT_CRC16_START on, it becomes LUT_CRC16. Takes
- * 37 + 43 * count mc; in slices, so that the watchdog can be fed in between. */
+ * 37 + 43 * count mc; in slices, so that the watchdog can be fed in between. The brake checks all
+ * its code (hal_code_test) and does without: LUT_NO_CRC16. */
 /*@ requires 1 <= count && offset + count <= LUT_BYTES;
     assigns \nothing; */
 uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count);

@@ -7,7 +7,20 @@
 /* The sensor needs a pulse of 10 us; each turn of the delay takes 2 cycles. */
 #define TRIGGER_TURNS ((uint8_t)(CYCLES_PER_S * 12U / 1000000U / 2U + 1U))
 
-static __bit was_high; /* the echo of the last measurement had not ended at the trigger */
+/* Timer 0 counts in these; so many in a tick of timer 1's. */
+#define UNIT_MC        256U
+#define UNITS_PER_TICK (CYCLES_PER_S / (1000U / HAL_TICK_MS) / UNIT_MC)
+
+/* From the trigger to the poll that sees the end of the echo, by timer 1, less the echo, by timer
+ * 0: the sensor's answer takes up to 2 ms, and the poll comes up to 4 ms later; a tick's begin may
+ * be 10 ms before the trigger, or before that poll. */
+#define LESS_UNITS (UNITS_PER_TICK * 12U / 10U)
+#define MORE_UNITS (UNITS_PER_TICK * 20U / 10U)
+
+static uint8_t triggered_at; /* as hal_ticks counts */
+
+/* The echo of the last measurement had not ended at the trigger, or this one is implausible. */
+static __bit is_wrong;
 
 void sensor_init(void)
 {
@@ -27,18 +40,27 @@ void hal_trigger(void)
     do {
     } while (--turns != 0); /* rounds: 7 */
     pin_trigger = 0;
-    was_high = pin_echo;
+    is_wrong = pin_echo;
+    triggered_at = hal_ticks();
     IE0 = 0;
     TR0 = 1;
 }
 
 uint8_t hal_range(void)
 {
-    if (was_high) {
+    if (is_wrong) {
         return HAL_RANGE_NOT_FALLEN;
     }
     if (IE0) {
+        uint8_t more_units = (uint8_t)(hal_ticks() - triggered_at);
+
         TR0 = 0;
+        more_units *= (uint8_t)UNITS_PER_TICK; /* modulo 256, as timer 0 counts */
+        more_units -= TH0;
+        if ((uint8_t)(more_units + LESS_UNITS) > LESS_UNITS + MORE_UNITS) {
+            is_wrong = 1;
+            return HAL_RANGE_NOT_FALLEN;
+        }
         return HAL_RANGE_DONE;
     }
     return pin_echo ? HAL_RANGE_NOT_FALLEN : HAL_RANGE_NOT_RISEN;

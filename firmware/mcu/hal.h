@@ -21,7 +21,9 @@ uint8_t hal_ticks(void);
  * itself forgets what it said before. Then ask hal_range until it says DONE: a reading is there. If
  * that takes RANGE_WAIT_CS (range.h), its answer is the fault: the echo never rose, or never fell.
  * range_mm makes a distance of the reading, range_kind says its kind. Its time is the one from
- * trigger to trigger, or, of a sensor that measures by itself, counted by hal_range_is_late. */
+ * trigger to trigger, or, of a sensor that measures by itself, counted by hal_range_is_late. An
+ * echo that is 12 ms longer than the ticks since the trigger, or 20 ms shorter, counts as never
+ * fallen: one of the two timers is wrong. */
 enum hal_range { HAL_RANGE_NOT_RISEN, HAL_RANGE_NOT_FALLEN, HAL_RANGE_DONE };
 void hal_trigger(void);       /* 40 mc; the pulse is at least 10 us long */
 uint8_t hal_range(void);      /* enum hal_range */
@@ -37,9 +39,10 @@ bool hal_range_is_late(void);
  * period on that begins at least 0.3 ms after the call. */
 void hal_brake_set(uint8_t brake_pct); /* up to 80 mc */
 void hal_stop_set(bool on);            /* the STOP pin */
-/* Whether the PWM pin is as hal_brake_set wants it. Ask it every tick: false once the pin was low
- * in three periods in a row that should begin high, or the other way round. 20 mc. */
-bool hal_pwm_follows(void);
+/* Whether the PWM pin is as hal_brake_set wants it, and the STOP pin as `stop` says, which
+ * hal_stop_set has set it to. Ask it every tick: false once either was wrong three times in a row,
+ * the PWM pin at the end of what should be high in its period, or low. 20 mc. */
+bool hal_outputs_follow(bool stop);
 void hal_lamp_set(bool on);
 void hal_buzzer_set(bool on);
 

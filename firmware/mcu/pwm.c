@@ -36,9 +36,8 @@ static volatile __bit new_first_level, new_second_level, new_is_set;
 volatile uint8_t pwm_guard_ticks;
 #endif
 
-/* The pin at the end of a phase, and whether that was wrong at the end of the last first phase. */
-static volatile __bit pin_was, is_wrong;
-#define WRONG_PERIODS 3U /* in a row: a bit that flips is right again sooner */
+static volatile __bit pin_was; /* at the end of a phase */
+volatile __bit pwm_is_wrong;
 
 /* Not static: of a static inline function SDCC keeps a copy that nobody calls. */
 
@@ -64,7 +63,7 @@ void pwm_interrupt(void) __interrupt(3) __using(1)
     PHASE_ADVANCE("1", "_reload", "(_reload + 1)");
     if (is_second) {
         is_second = 0;
-        is_wrong = pin_was ^ first_level;
+        pwm_is_wrong = pin_was ^ first_level;
         if (new_is_set) {
             take_new();
         }
@@ -127,18 +126,6 @@ void hal_brake_set(uint8_t brake_pct)
         take_new();
         prepare_first();
     }
-}
-
-bool hal_pwm_follows(void)
-{
-    static __idata uint8_t wrong_periods;
-
-    if (!is_wrong) {
-        wrong_periods = 0;
-        return true;
-    }
-    wrong_periods++;
-    return wrong_periods < WRONG_PERIODS;
 }
 
 uint8_t hal_ticks(void)

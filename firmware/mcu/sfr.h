@@ -41,6 +41,9 @@ __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 extern volatile uint8_t pwm_guard_ticks;
 #endif
 
+/* The PWM pin was not at its level at the end of the last first phase (pwm.c). */
+extern volatile __bit pwm_is_wrong;
+
 /* The parts of hal_init; each file of a peripheral has one. */
 void pwm_init(void);
 void sensor_init(void);

@@ -77,9 +77,9 @@ run_brake() { # BOARD APP
     seq=$(s51_steps_cell "$1" "$2")
     pct=$(s51_cell "build/$1/$2.ihx" brake)
     s51_start "$1" "build/$1/$2.ihx" "$seq" "$pct"
-    s51_until 800000
+    s51_until 1000000
     first=$(s51_first_trigger)
-    start=$((first + (900000 - first) / 60000 * 60000))
+    start=$((first + (1100000 - first) / 60000 * 60000))
     awk -v "first_us=$start" -v "count=$readings" -v "falls=$s51_dir/falls" -f tests/bench/readings.awk >&"$s51_pins"
     s51_until $((start + 60000 * readings))
     s51_ask $((start + 60000 * readings + 10)) >"$s51_dir/state"

@@ -3,13 +3,14 @@
  * test of the marks that the jobs leave. */
 #include "hal.h"
 
-static bool follow_and_stray(void);
+static bool follow_and_stray(bool stop);
 
-#define hal_pwm_follows follow_and_stray
+#define hal_outputs_follow follow_and_stray
 #include "../../firmware/brake/main.c"
 
-static bool follow_and_stray(void)
+static bool follow_and_stray(bool stop)
 {
+    (void)stop;
     if (hal_override_held()) {
         show();
     }

@@ -11,7 +11,7 @@ run() { # BOARD
     make -s "BOARD=$1" "$image" || exit 2
     cell=$(s51_cell "$image" duty_pct)
     s51_start "$1" "$image" "$cell"
-    s51_until 800000
+    s51_until 1000000
     first=$(s51_first_trigger)
     s51_echoes "$first" 13 160 2000
     s51_until $((first + 60000 * 160))

@@ -32,10 +32,10 @@ run() { # IMAGE press|high|stuck|""
     s51_start "$board" "$1"
     if [ "$2" = high ]; then s51_pin 2 echo 1; fi
     if [ "$2" = stuck ]; then stick; fi
-    s51_until 430000
-    if [ "$2" = high ]; then s51_until 500000; fi
+    s51_until 500000
+    if [ "$2" = high ]; then s51_until 600000; fi
     first=$(s51_first_trigger)
-    if [ "$2" = high ]; then s51_pin 505000 echo 0; fi
+    if [ "$2" = high ]; then s51_pin 605000 echo 0; fi
     s51_echoes "$first" 3 40 3000
     if [ "$2" = press ]; then
         s51_pin $((first + 60000 * 40)) override 0

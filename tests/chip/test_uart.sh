@@ -8,7 +8,7 @@ board=stc89c516rd
 make -s "BOARD=$board" "build/$board/brake.ihx" || exit 2
 
 S51_TYPES=1 s51_start "$board" "build/$board/brake.ihx"
-s51_until 800000
+s51_until 1000000
 first=$(s51_first_trigger)
 k=1
 for keys in '?' 'v' 's' 'x' 't' 'h' $'t\r\n' 'vs'; do
@@ -84,7 +84,7 @@ time_steps() { # NAME KEYS-FIRST KEYS-AT-EACH-END
     local cell first k rise_us fall_us
     cell=$(s51_steps_cell "$board" brake)
     S51_TYPES=1 s51_start "$board" "$image" "$cell"
-    s51_until 800000
+    s51_until 1000000
     first=$(s51_first_trigger)
     s51_type "$2"
     for ((k = 5; k < 45; k++)); do

@@ -181,7 +181,7 @@ static void draw_event(void)
                                         chance(BRAKE_FAULT_IDLE - BRAKE_FAULT_WATCHDOG + 1)));
     } else if (event == FAIL) {
         give(chance(4) == 0
-                 ? BRAKE_FAULT_PWM
+                 ? BRAKE_FAULT_OUTPUT
                  : (uint8_t)(BRAKE_FAULT_TABLE + chance(BRAKE_FAULT_IDLE - BRAKE_FAULT_TABLE + 1)));
     }
 }

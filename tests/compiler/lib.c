@@ -15,9 +15,14 @@ static const char __code *const __code TEXTS[] = {"", "-", "CONTROL", "FAULT"};
 static void step_table(void)
 {
     uint16_t crc = take_u16(), offset = take_u16();
-    uint8_t first = take(), second = take();
+    uint8_t first = take(), second = take(), count = take();
 
-    put_u16(lut_crc16(crc, offset, take()));
+#ifdef LUT_NO_CRC16
+    crc ^= offset ^ count;
+#else
+    crc = lut_crc16(crc, offset, count);
+#endif
+    put_u16(crc);
 #if LUT_INPUTS == 3
     put(lut_at3(first, second, 0));
     put(lut2_at3(first, second, LUT_IN3_CELLS - 1));

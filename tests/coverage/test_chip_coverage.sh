@@ -130,7 +130,7 @@ type_keys() { # COUNTER
 high_line() {
     s51_start "$board" "$hex"
     s51_pin 2 echo 1
-    s51_until 800000
+    s51_until 1000000
     s51_stop
     keep_covered
 }

@@ -82,7 +82,7 @@ void hal_stop_set(bool on)
 {
     pin_stop = on;
 }
-bool hal_pwm_follows(void)
+bool hal_outputs_follow(bool stop)
 {
     return any_bool();
 }

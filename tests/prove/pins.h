@@ -31,7 +31,7 @@ void hal_brake_set(uint8_t brake_pct);
     ensures pin_stop == on; */
 void hal_stop_set(bool on);
 /*@ assigns \nothing; */
-bool hal_pwm_follows(void);
+bool hal_outputs_follow(bool stop);
 /*@ assigns \nothing; */
 void hal_lamp_set(bool on);
 /*@ assigns \nothing; */

@@ -88,7 +88,7 @@ void anew(void)
     ensures t2_holds: FAULT_PCT > 0 ==> brake.brake_pct >= \old(brake.brake_pct);
     ensures t4_only: \old(brake.stop) && !brake.stop ==> brake.overridden;
     ensures t6_lasting: fault_state == FAULT_LASTING;
-    ensures t11_pwm: fault == BRAKE_FAULT_PWM && !brake.overridden ==>
+    ensures t11_pwm: fault == BRAKE_FAULT_OUTPUT && !brake.overridden ==>
                 brake.stop && brake.brake_pct == 100; */
 void fail(uint8_t fault)
 {

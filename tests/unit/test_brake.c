@@ -867,7 +867,7 @@ static void test_a_pwm_pin_that_does_not_follow_is_stop(void)
     echoes(3000, 4);
     brake_fail(BRAKE_FAULT_STACK);
     TEST_ASSERT_FALSE(brake.stop);
-    brake_fail(BRAKE_FAULT_PWM); /* it is not the first fault, and yet acts */
+    brake_fail(BRAKE_FAULT_OUTPUT); /* it is not the first fault, and yet acts */
     TEST_ASSERT_TRUE(brake.stop);
     TEST_ASSERT_EQUAL_UINT8(100, brake.brake_pct);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_STACK, fault_code);
@@ -875,9 +875,9 @@ static void test_a_pwm_pin_that_does_not_follow_is_stop(void)
     TEST_ASSERT_TRUE(brake.stop);
 
     start();
-    brake_fail(BRAKE_FAULT_PWM);
+    brake_fail(BRAKE_FAULT_OUTPUT);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
-    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_PWM, fault_code);
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_OUTPUT, fault_code);
 }
 
 /* --- warning ---------------------------------------------------------------------------------- */
