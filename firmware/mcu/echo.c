@@ -7,13 +7,14 @@
 /* The sensor needs a pulse of 10 us; each turn of the delay takes 2 cycles. */
 #define TRIGGER_TURNS ((uint8_t)(CYCLES_PER_S * 12U / 1000000U / 2U + 1U))
 
-/* Timer 0 counts in these; so many in a tick of timer 1's. */
+/* What timer 0 counts in its high byte; so many in a tick, which timer 1 makes. */
 #define UNIT_MC        256U
 #define UNITS_PER_TICK (CYCLES_PER_S / (1000U / HAL_TICK_MS) / UNIT_MC)
 
-/* From the trigger to the poll that sees the end of the echo, by timer 1, less the echo, by timer
- * 0: the sensor's answer takes up to 2 ms, and the poll comes up to 4 ms later; a tick's begin may
- * be 10 ms before the trigger, or before that poll. */
+/* The ticks that begin between the trigger and the poll that sees the end of the echo, less the
+ * echo as timer 0 has counted it. The trigger comes up to 5 ms after the begin of a tick, the
+ * sensor's answer up to 5 ms after the trigger, the poll up to 4 ms after the echo: so this is -10
+ * to 14 ms. */
 #define LESS_UNITS (UNITS_PER_TICK * 12U / 10U)
 #define MORE_UNITS (UNITS_PER_TICK * 20U / 10U)
 

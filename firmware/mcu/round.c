@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The begin of a round of main, and the way back to the start for a program that ran wild. */
-#include "hal.h"
+#include "sfr.h"
 
 /* It is assembly because C knows no stack pointer. Two bytes are on the stack here: the return
  * address. `reti` returns as `ret` does and also ends an interrupt that a wild program left open;
@@ -49,8 +49,11 @@ void hal_begin_round(void) __naked
         jnz     _hal_restart
         mov     a, sp
         cjne    a, #(__start__stack + 1), _hal_restart
-        reti
     __endasm;
+#ifdef WATCHDOG_none
+    __asm__("djnz _round_guard, 00003$\n sjmp _hal_restart\n00003$:"); /* timer 1 makes no ticks */
+#endif
+    __asm__("reti");
     /* clang-format on */
 }
 

@@ -39,6 +39,9 @@ __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 /* The PWM's interrupt starts the program again after so many ticks. */
 #define PWM_GUARD_TICKS 8U
 extern volatile uint8_t pwm_guard_ticks;
+/* And after so many rounds without a tick hal_begin_round does: no interrupt comes any more. */
+#define ROUND_GUARD_ROUNDS 255U
+extern volatile uint8_t round_guard;
 #endif
 
 /* The PWM pin was not at its level at the end of the last first phase (pwm.c). */

@@ -28,6 +28,10 @@ __sfr __at(0xA6) WDTRST;    /* AT89S52 */
 
 static bool ram_is_good;
 
+#ifdef WATCHDOG_none
+volatile uint8_t round_guard;
+#endif
+
 /* Since version 4.3 SDCC's start-up calls this function by another name. */
 #if __SDCC_VERSION_MAJOR > 4 || (__SDCC_VERSION_MAJOR == 4 && __SDCC_VERSION_MINOR >= 3)
 #define EXTERNAL_STARTUP __sdcc_external_startup
@@ -182,6 +186,7 @@ void hal_watchdog_feed(void)
     WDT_CONTR = 0x30; /* on, restarted, 12 * 2 * 32768 clocks: 65.5 ms at 12 MHz */
 #elif defined(WATCHDOG_none)
     pwm_guard_ticks = PWM_GUARD_TICKS;
+    round_guard = ROUND_GUARD_ROUNDS;
 #else
 #error the board must say WATCHDOG := none, at89s52 or stc89
 #endif
