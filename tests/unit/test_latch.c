@@ -263,6 +263,20 @@ static void test_a_near_echo_begins_the_second_anew(void)
     TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
 }
 
+static void test_a_beginning_begins_both_counts_anew(void)
+{
+    see_another(LATCH_PASSED_READINGS - 1U);
+    setUp();
+    latch_state = LATCH_HELD;
+    echo(3000);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+    clear(LATCH_ROAD_READINGS - 1U);
+    setUp();
+    latch_state = LATCH_HELD;
+    clear(1);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+}
+
 static void test_what_is_not_believed_does_not_count_for_the_second(void)
 {
     uint8_t i;
@@ -330,6 +344,7 @@ int main(void)
     RUN_TEST(test_what_ends_stop_ends_it_at_any_later_time);
     RUN_TEST(test_the_target_of_stop_does_not_end_it_however_long_it_stands_beyond);
     RUN_TEST(test_a_near_echo_begins_the_second_anew);
+    RUN_TEST(test_a_beginning_begins_both_counts_anew);
     RUN_TEST(test_what_is_not_believed_does_not_count_for_the_second);
     RUN_TEST(test_a_state_that_is_none_is_held);
     RUN_TEST(test_hold_is_held);
