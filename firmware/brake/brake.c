@@ -75,10 +75,10 @@ static void demand_fault(void)
 /* What a beginning sets, for contracts. */
 #define BEGINNING                                                                                  \
     brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,       \
-        fault_state, fault_code, silence_cs, good_readings, latch_state, clear_readings,           \
-        elsewhere_readings, left_readings, target_worth, closing_place_mm, closing_difference,     \
-        closing_smooth, since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near,         \
-        stuck_readings, clears, smooth_2mmps
+        fault_state, fault_code, silence_cs, good_readings, latch_state, LATCH_COUNTS,             \
+        left_readings, target_worth, closing_place_mm, closing_difference, closing_smooth,         \
+        since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, TARGET_STUCK_STATE,     \
+        clears, smooth_2mmps
 
 /*@ assigns BEGINNING;
     ensures brake_is_valid && brake_is_settled && !is_within;
@@ -239,8 +239,8 @@ static void demand_for_target(void)
 
 /*@ requires target_is_valid && range_reading.kind <= RANGE_DEAD_ZONE;
     assigns target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth,
-            echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, is_clear, clears,
-            CLOSING_TAKEN;
+            echo_mm, since_cs, since_aside_cs, aside_mm, TARGET_STUCK_STATE, was_near, is_clear,
+            clears, CLOSING_TAKEN;
     ensures target_is_valid;
     ensures \result < BRAKE_FAULT_WATCHDOG;
     ensures range_reading.kind > RANGE_NO_TARGET ==> \result != BRAKE_FAULT_NONE;
@@ -258,8 +258,8 @@ static uint8_t find_trouble(void)
 }
 
 /*@ requires brake_is_valid;
-    assigns target_worth, closing_foreseen_mm, closing_difference, closing_smooth,
-            since_cs, since_aside_cs, was_clear, is_clear, is_moving, stuck_readings, smooth_2mmps;
+    assigns target_worth, CLOSING_EXPECTED, closing_difference, closing_smooth, since_cs,
+            since_aside_cs, was_clear, is_clear, is_moving, TARGET_STUCK_STATE, smooth_2mmps;
     ensures brake_is_valid; */
 void brake_expect(uint8_t elapsed_cs)
 {
@@ -271,8 +271,8 @@ void brake_expect(uint8_t elapsed_cs)
             is_in_reach, is_believed, is_within,
             fault_state, fault_code, silence_cs, good_readings,
             target_worth, closing_place_mm, closing_span_cs, closing_difference, closing_smooth,
-            echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, is_clear, clears,
-            CLOSING_TAKEN;
+            echo_mm, since_cs, since_aside_cs, aside_mm, TARGET_STUCK_STATE, was_near, is_clear,
+            clears, CLOSING_TAKEN;
     ensures brake_is_valid && brake_is_settled;
     ensures kind > RANGE_NO_TARGET ==> !is_believed;
     ensures is_within <==> kind == RANGE_ECHO && dist_mm <= BRAKE_STOP_MM;
@@ -340,7 +340,7 @@ static bool is_urgent(void)
 
 /*@ requires brake_is_valid && brake_is_settled;
     assigns brake.brake_pct, brake.stop, brake.state, brake.warn, is_within, latch_state,
-            clear_readings, elsewhere_readings, left_readings,
+            LATCH_COUNTS, left_readings,
             closing_smooth, closing_difference, CLOSING_FINISHED;
     ensures brake_is_valid && brake_is_settled && !is_within;
     ensures !brake.overridden ==> latch_moves{Pre, Post}(is_believed);

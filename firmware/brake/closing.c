@@ -12,10 +12,11 @@ static uint16_t rate;      /* of the time between them, out of RATES */
 static uint16_t smooth_mm; /* alpha-beta's place of the target, and its speed */
 static uint16_t smooth_2mmps;
 
-/* What closing_take, closing_take_second, and later both estimators change of them, for the
- * contracts of target.c and brake.c. */
+/* What closing_expect changes; closing_take, closing_take_second and the first estimator; and the
+ * later one: for the contracts of target.c and brake.c. */
+#define CLOSING_EXPECTED closing_foreseen_mm
 #define CLOSING_TAKEN    rate, nearer_mm, smooth_mm, smooth_2mmps
-#define CLOSING_FINISHED smooth_mm, smooth_2mmps
+#define CLOSING_FINISHED closing_span_cs, smooth_mm, smooth_2mmps
 
 /* 1 mm in n/100 s is 100 / n mm/s, that is 50 / n units. Times 65536 / 16 for n = 5..31. */
 #define RATE(n) ((3276800UL / 16U + (n) - 1U) / (n))
@@ -64,6 +65,7 @@ void closing_restart(void)
 }
 
 /*@ assigns rate, nearer_mm;
+    ensures closing_span_cs == span_cs;
     ensures nearer_mm == (uint16_t)(\old(closing_place_mm) - dist_mm); */
 void closing_take(uint16_t dist_mm, uint8_t span_cs)
 {

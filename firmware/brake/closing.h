@@ -44,7 +44,7 @@ extern __data struct closing_speed closing_smooth;     /* alpha-beta */
 #define CLOSING_TAKE_LATER closing_take_smooth
 #endif
 
-/* The time that the difference is taken over, 1/100 s. */
+/* The time that the difference was last taken over, 1/100 s. */
 extern uint8_t closing_span_cs;
 
 /* The target's last place, which target.c may exchange, and where alpha-beta foresees the next one;
@@ -69,13 +69,13 @@ void closing_take_second(uint16_t dist_mm, uint8_t span_cs);
 /* A later one, within CLOSING_OFF_MAX_MM of where it was foreseen. Each estimator is owed its call
  * below. */
 /*@ assigns closing_place_mm, closing_span_cs;
-    ensures closing_place_mm == dist_mm && closing_span_cs == span_cs; */
+    ensures closing_place_mm == dist_mm; */
 void closing_take(uint16_t dist_mm, uint8_t span_cs);
 
 /* Takes the place of closing_take into one estimator: once each, before the next closing_expect.
  * Up to 250 mc each. */
 /*@ requires closing_is_valid;
-    assigns closing_difference;
+    assigns closing_difference, closing_span_cs;
     ensures closing_is_valid; */
 void closing_take_difference(void);
 /*@ requires closing_is_valid;

@@ -22,8 +22,9 @@ static __idata uint16_t foreseen_4mm; /* as closing_foreseen_mm, in 1/4 mm */
 static __idata uint16_t smooth_4mm;   /* alpha-beta's place of the target, and its speed */
 static __idata uint16_t smooth_2mmps;
 
-/* What closing_take, closing_take_second, and later both estimators change of them, for the
- * contracts of target.c and brake.c. */
+/* What closing_expect changes; closing_take, closing_take_second and the first estimator; and the
+ * later one: for the contracts of target.c and brake.c. */
+#define CLOSING_EXPECTED closing_foreseen_mm, foreseen_4mm
 #define CLOSING_TAKEN    mark_mm, since_mark_cs, smooth_4mm, smooth_2mmps
 #define CLOSING_FINISHED mark_mm, since_mark_cs, closing_span_cs, smooth_4mm, smooth_2mmps
 
@@ -43,6 +44,10 @@ static const uint16_t __code RATES[] = {
 /* So far from where it was foreseen a place counts for alpha-beta, 1/4 mm. */
 #define OFF_MAX_4MM 1280
 
+/*@ requires \valid(speed);
+    assigns *speed;
+    ensures speed->closing_mmps == 0 || speed->opening_mmps == 0;
+    ensures speed_2mmps == 0 ==> speed->closing_mmps == 0 && speed->opening_mmps == 0; */
 static void show_speed(struct closing_speed __data *speed, uint16_t speed_2mmps)
 {
     uint16_t mmps = (uint16_t)(speed_2mmps << 1);
@@ -56,6 +61,7 @@ static void show_speed(struct closing_speed __data *speed, uint16_t speed_2mmps)
     }
 }
 
+/*@ assigns smooth_2mmps; */
 void closing_restart(void)
 {
     smooth_2mmps = 0;
@@ -63,6 +69,9 @@ void closing_restart(void)
     show_speed(&closing_difference, 0);
 }
 
+/*@ assigns since_mark_cs;
+    ensures closing_span_cs == \old(closing_span_cs);
+    ensures since_mark_cs == (uint8_t)(\old(since_mark_cs) + span_cs); */
 void closing_take(uint16_t dist_mm, uint8_t span_cs)
 {
     since_mark_cs += span_cs;
@@ -70,6 +79,10 @@ void closing_take(uint16_t dist_mm, uint8_t span_cs)
 }
 
 /* The speed from the mark to the last place. */
+/*@ assigns mark_mm, since_mark_cs, closing_span_cs;
+    ensures mark_mm == closing_place_mm && since_mark_cs == 0;
+    ensures closing_span_cs == \old(since_mark_cs);
+    ensures \old(mark_mm) == closing_place_mm ==> \result == 0; */
 static uint16_t difference_2mmps(void)
 {
     uint16_t mm = (uint16_t)(mark_mm - closing_place_mm);
@@ -95,6 +108,7 @@ static uint16_t difference_2mmps(void)
     return mm;
 }
 
+/*@ assigns mark_mm, since_mark_cs, smooth_4mm, smooth_2mmps; */
 void closing_take_second(uint16_t dist_mm, uint8_t span_cs)
 {
     mark_mm = closing_place_mm;
@@ -113,6 +127,7 @@ void closing_take_second(uint16_t dist_mm, uint8_t span_cs)
 /* From here on smooth_4mm and foreseen_4mm are below 0: 11 m and more. */
 #define NEGATIVE_4MM 0xB000U
 
+/*@ assigns foreseen_4mm; */
 void closing_expect(uint8_t span_cs)
 {
     uint16_t factor;
@@ -134,6 +149,9 @@ void closing_expect(uint8_t span_cs)
     }
 }
 
+/*@ assigns mark_mm, since_mark_cs;
+    ensures closing_span_cs == (\old(since_mark_cs) >= CLOSING_SPAN_MIN_CS
+                ? \old(since_mark_cs) : \old(closing_span_cs)); */
 void closing_take_difference(void)
 {
     if (since_mark_cs >= CLOSING_SPAN_MIN_CS) {
@@ -141,6 +159,7 @@ void closing_take_difference(void)
     }
 }
 
+/*@ assigns smooth_4mm, smooth_2mmps; */
 void closing_take_smooth(void)
 {
     int16_t off_4mm = (int16_t)(foreseen_4mm - (uint16_t)(closing_place_mm << 2));

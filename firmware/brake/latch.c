@@ -41,14 +41,24 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
     {H, H, H, O, H, H, O, G, O, G}, /* OPENING */
 };
 
-/* Holds from latch_init on, whatever happens to latch_state. */
+/* What the latch counts, for the contracts here and in brake.c; whether the tracked target opens;
+ * and what holds from latch_init on, whatever happens to latch_state. */
+#if RANGE_IS_FAST
+#define LATCH_COUNTS clear_readings, elsewhere_readings, opening_readings, early_readings
+/*@ predicate latch_opens = opening_readings == LATCH_OPENING_READINGS;
+    predicate latch_counts_opening = opening_readings <= LATCH_OPENING_READINGS; */
+#else
+#define LATCH_COUNTS clear_readings, elsewhere_readings
+/*@ predicate latch_opens = closing_smooth.opening_mmps > LATCH_OPENING_MMPS;
+    predicate latch_counts_opening = \true; */
+#endif
 /*@ predicate latch_is_valid =
-        clear_readings <= LATCH_ROAD_READINGS && elsewhere_readings <= LATCH_PASSED_READINGS;
+        clear_readings <= LATCH_ROAD_READINGS && elsewhere_readings <= LATCH_PASSED_READINGS &&
+        latch_counts_opening;
     predicate latch_sees_beyond =
         range_reading.kind == RANGE_ECHO && range_reading.dist_mm > LATCH_NEAR_MM;
     predicate latch_sees_opening(bool is_of_target) =
-        latch_sees_beyond && is_of_target && target_worth == TARGET_TRACKED &&
-        closing_smooth.opening_mmps > LATCH_OPENING_MMPS;
+        latch_sees_beyond && is_of_target && target_worth == TARGET_TRACKED && latch_opens;
     predicate latch_sees_passed(bool is_of_target) =
         latch_sees_beyond && is_of_target && elsewhere_readings == LATCH_PASSED_READINGS;
     predicate latch_sees_road = clear_readings == LATCH_ROAD_READINGS; */
@@ -75,7 +85,7 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
         (latch_sees_opening{Now}(is_of_target) ==> is == LATCH_OPEN ||
             (is == LATCH_OPENING && (was == LATCH_HELD || was >= LATCH_STATES))); */
 
-/*@ assigns clear_readings, elsewhere_readings;
+/*@ assigns LATCH_COUNTS;
     ensures latch_is_valid && clear_readings == 0; */
 void latch_init(void)
 {
@@ -100,6 +110,12 @@ void latch_override(void)
 
 #if RANGE_IS_FAST
 /* Whether the tracked target opens, and did in the last readings. */
+/*@ requires latch_is_valid;
+    assigns opening_readings;
+    ensures latch_is_valid;
+    ensures \result <==> latch_opens;
+    ensures opening_readings == (closing_smooth.opening_mmps > LATCH_OPENING_MMPS
+                ? \min(\old(opening_readings) + 1, LATCH_OPENING_READINGS) : 0); */
 static bool is_opening(void)
 {
     if (closing_smooth.opening_mmps <= LATCH_OPENING_MMPS) {
@@ -117,7 +133,8 @@ static bool is_opening(void)
 
 /* An echo beyond LATCH_NEAR_MM. */
 /*@ requires latch_is_valid && latch_sees_beyond;
-    assigns elsewhere_readings;
+    assigns LATCH_COUNTS;
+    ensures clear_readings == \old(clear_readings);
     ensures latch_is_valid;
     ensures \result == PASSED || \result == OPENING || \result == BEYOND_TRACKED ||
             \result == BEYOND;
@@ -146,7 +163,7 @@ static uint8_t far_column(bool is_of_target)
 }
 
 /*@ requires latch_is_valid;
-    assigns clear_readings, elsewhere_readings;
+    assigns LATCH_COUNTS;
     ensures latch_is_valid;
     ensures clear_readings == (range_reading.kind == RANGE_NO_TARGET
                 ? \min(\old(clear_readings) + 1, LATCH_ROAD_READINGS) : 0);
@@ -195,6 +212,11 @@ static uint8_t column_of(bool is_of_target)
 #if RANGE_IS_FAST
 /* Whether TRIAL or DOUBTED began less than LATCH_DOUBT_READINGS ago, and this reading is none of a
  * tracked target: it may still be of the stray echo, or miss what is there for a moment. */
+/*@ requires latch_state < LATCH_STATES && column < COLUMNS;
+    assigns early_readings;
+    ensures \result ==> latch_state == LATCH_TRIAL || latch_state == LATCH_DOUBTED;
+    ensures \result ==> column == BEYOND || column == CLEAR ||
+                (latch_state == LATCH_TRIAL && (column == WITHIN || column == NEAR)); */
 static bool is_too_early(uint8_t column)
 {
     if (early_readings != 0) {
@@ -215,7 +237,7 @@ static bool is_too_early(uint8_t column)
 #endif
 
 /*@ requires latch_is_valid;
-    assigns clear_readings, elsewhere_readings;
+    assigns LATCH_COUNTS;
     ensures latch_is_valid && latch_moves{Pre, Post}(is_of_target); */
 void latch_take(bool is_of_target)
 {

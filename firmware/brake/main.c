@@ -120,7 +120,7 @@ static void report(void)
 
 /* From the end of the echo, or of the wait for it, to the pins. */
 /*@ requires main_is_valid && phase != PHASE_TEST && echo <= HAL_RANGE_DONE;
-    ensures brake_is_valid && brake_is_settled && !is_measuring;
+    ensures brake_is_valid && brake_is_settled;
     ensures phase == \old(phase) && code_test == \old(code_test);
     ensures pin_stop == brake.stop && pin_brake_pct == brake.brake_pct; */
 static void control_step(uint8_t echo)

@@ -36,13 +36,20 @@ static __idata uint8_t run_speed, run_way;
 static __bit has_changed; /* the last reading differed; run_speed is yet to be taken */
 #endif
 
+/* What tells a stuck reading, for the contracts here and in brake.c. */
+#if RANGE_IS_FAST
+#define TARGET_STUCK_STATE stuck_readings, run_speed, run_way, has_changed
+#else
+#define TARGET_STUCK_STATE stuck_readings
+#endif
+
 /* Holds from target_init on. */
 /*@ predicate target_is_valid =
         target_worth <= TARGET_TRACKED && since_cs <= LONG_AGO_CS &&
         since_aside_cs <= LONG_AGO_CS && stuck_readings <= TARGET_REST_READINGS &&
         clears < TARGET_NEAR_CLEARS && closing_is_valid; */
 /* Whatever comes next is another target. */
-/*@ assigns target_worth, stuck_readings, closing_smooth, closing_difference, smooth_2mmps;
+/*@ assigns target_worth, TARGET_STUCK_STATE, closing_smooth, closing_difference, smooth_2mmps;
     ensures target_worth == TARGET_NONE && stuck_readings == 0 && closing_is_valid; */
 static void drop(void)
 {
@@ -62,7 +69,7 @@ static void set_target_aside(void)
     since_aside_cs = since_cs;
 }
 
-/*@ assigns since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, stuck_readings,
+/*@ assigns since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, TARGET_STUCK_STATE,
             clears, smooth_2mmps;
     ensures target_is_valid; */
 void target_init(void)
@@ -104,6 +111,7 @@ static bool may_not_rest(void)
 
 #if RANGE_IS_FAST
 /* Whether the target must have left the place of its last reading by now. */
+/*@ assigns run_speed, run_way, has_changed; */
 static bool has_come_far(uint8_t elapsed_cs)
 {
     uint16_t way;
@@ -125,7 +133,8 @@ static bool has_come_far(uint8_t elapsed_cs)
 #endif
 
 /*@ requires target_is_valid;
-    assigns since_cs, since_aside_cs, was_clear, is_clear, is_moving, stuck_readings, smooth_2mmps;
+    assigns since_cs, since_aside_cs, was_clear, is_clear, is_moving, TARGET_STUCK_STATE,
+            CLOSING_EXPECTED, smooth_2mmps;
     ensures target_is_valid; */
 void target_expect(uint8_t elapsed_cs)
 {
@@ -174,7 +183,9 @@ static bool can_reach(uint16_t place_mm, uint8_t time_cs)
     ensures target_is_worth(\result);
     ensures \result == TARGET_TRACKED ==> target_worth >= TARGET_NEW;
     ensures \result == TARGET_GLIMPSE || \result == TARGET_ENTERED ==>
-                target_worth == TARGET_NONE; */
+                target_worth == TARGET_NONE;
+    ensures RANGE_IS_FAST == 1 && TARGET_NEW <= \result <= TARGET_NEW_LATE &&
+                since_cs < RANGE_SPAN_MIN_CS ==> target_worth != TARGET_NONE; */
 static uint8_t judge(void)
 {
     uint16_t gate_mm = (uint16_t)(mul_u8(since_cs, TARGET_GATE_MM_PER_CS) + TARGET_GATE_MM);
@@ -214,8 +225,9 @@ static uint8_t judge(void)
 /* A reading that stays the same though the target moves is stuck; a stuck target that moves on is
  * another one. */
 /*@ requires target_is_valid;
-    assigns stuck_readings, target_worth;
+    assigns TARGET_STUCK_STATE, target_worth;
     ensures target_is_valid;
+    ensures target_worth == \old(target_worth) || target_worth == TARGET_NONE;
     ensures \result <==> stuck_readings != 0;
     ensures \result ==> echo_mm == closing_place_mm; */
 static bool is_stuck(void)
@@ -237,10 +249,13 @@ static bool is_stuck(void)
 }
 
 /*@ requires target_is_valid;
-    assigns echo_mm, since_cs, since_aside_cs, aside_mm, stuck_readings, was_near, clears,
+    assigns echo_mm, since_cs, since_aside_cs, aside_mm, TARGET_STUCK_STATE, was_near, clears,
             CLOSING_TAKEN;
     ensures target_is_valid;
-    ensures \result == BRAKE_FAULT_NONE ==> closing_place_mm == dist_mm && since_cs == 0; */
+    ensures \result == BRAKE_FAULT_NONE ==>
+                (closing_place_mm == dist_mm && since_cs == 0) ||
+                (RANGE_IS_FAST == 1 && since_cs < RANGE_SPAN_MIN_CS &&
+                 target_worth == \old(target_worth)); */
 uint8_t target_echo(uint16_t dist_mm)
 {
     uint8_t worth;
@@ -285,7 +300,7 @@ uint8_t target_echo(uint16_t dist_mm)
 }
 
 /*@ requires target_is_valid;
-    assigns is_clear, was_near, clears, aside_mm, since_aside_cs, stuck_readings, smooth_2mmps;
+    assigns is_clear, was_near, clears, aside_mm, since_aside_cs, TARGET_STUCK_STATE, smooth_2mmps;
     ensures target_is_valid; */
 uint8_t target_clear(void)
 {

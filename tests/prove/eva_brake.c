@@ -12,13 +12,9 @@
 #include "fixed.c"
 #include "lamp.c"
 #include "any_line.h"
-#ifdef SENSOR_tfluna
-#include "range_tfluna.c"
-#include "closing_tfluna.c"
-#else
-#include "range.c"
-#include "closing.c"
-#endif
+#include "sensor.h"
+#include RANGE_C
+#include CLOSING_C
 #include "target.c"
 #include "latch.c"
 #include "fault.c"

@@ -23,6 +23,8 @@ uint8_t hal_range(void);
 uint16_t hal_range_raw(void);
 /*@ assigns \nothing; */
 bool hal_range_is_busy(void);
+/*@ assigns \nothing; */
+bool hal_range_is_late(void);
 /*@ requires brake_pct <= 100;
     assigns pin_brake_pct;
     ensures pin_brake_pct == brake_pct; */

@@ -10,17 +10,23 @@
 # Prints a line for each unit and for each theorem of it, that is a clause whose label its first comment explains as
 # "theorem LABEL: words". Exits with 1 if anything is open.
 #
-# For test_prove.sh: FUNCTIONS are the only ones of the unit to prove. TIMEOUT is the time that a prover has for one
-# goal, in seconds.
+# For test_prove.sh: FUNCTIONS are the only ones of the unit to prove. TIMEOUTS are the times that a prover has for one
+# goal, in seconds, round by round.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 out=build/prove
 mkdir -p "$out"
 why3 config list-provers 2>/dev/null | grep -q Z3 || why3 config detect >"$out/why3.log" 2>&1
 
+# The unit's text, and that of the unit that it includes: wp_brake_far.c is wp_brake.c with another sensor.
+text_of() { # UNIT
+    cat "tests/prove/$1.c"
+    sed -n 's;^#include "\(wp_.*\)";tests/prove/\1;p' "tests/prove/$1.c" | xargs -r cat
+}
+
 # What a line of the unit's first comment says, such as "controller: brake".
 said() { # UNIT KEY
-    sed -n "s/^[/ ]\\*\\{1,2\\} $2: \\(.*\\)/\\1/p" "tests/prove/$1.c" | sed 's: *\*/$::' | head -n 1
+    text_of "$1" | sed -n "s/^[/ ]\\*\\{1,2\\} $2: \\(.*\\)/\\1/p" | sed 's: *\*/$::' | head -n 1
 }
 
 # The headers of the unit's controller and its table, which make has written to build/prove. A unit says
@@ -61,29 +67,36 @@ proved_by() { # UNIT
         END { for (name in from) if (from[name] in wanted) print name }' | sort | paste -sd,
 }
 
-# The goals of a log that no prover could prove.
+# The goals that the last round of provers could not prove.
 open_goals() { # LOG
-    sed -nE 's/^\[wp\] \[(Failed|Timeout|Unknown|Stepout)\] Goal typed_([a-zA-Z0-9_]+).*/\2/p' "$1"
+    tac "$1" | sed -nE 's/^\[wp\] \[(Failed|Timeout|Unknown|Stepout)\] Goal typed_([a-zA-Z0-9_]+).*/\2/p; /goals scheduled$/q'
 }
 
+# In rounds: a short time for each goal first, then a long one for what is left, which the other prover may do at once.
 by_wp() { # UNIT
-    local unit=$1 label words goals proved status=0
-    if ! run "$unit" "tests/prove/$unit.c" -wp -wp-fct="${FUNCTIONS:-$(proved_by "$unit")}" -wp-rte -wp-prop=-@tried,-tried -wp-prover z3,cvc4 -wp-timeout "${TIMEOUT:-60}" -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" -then -report-csv "$out/$unit.csv"; then
-        echo "$unit: frama-c failed; see $out/$unit.log"
+    local unit=$1 seconds label words goals left status=0 rounds=() log=$out/$1.log functions
+    functions=${FUNCTIONS:-$(proved_by "$unit")}
+    for seconds in ${TIMEOUTS:-4 60}; do
+        rounds+=(-then -wp -wp-fct="$functions" -wp-prop=-@tried,-tried -wp-timeout "$seconds")
+    done
+    if ! run "$unit" "tests/prove/$unit.c" -wp-rte -wp-prover z3,cvc4 -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" \
+        "${rounds[@]}" -then -no-wp -report-csv "$out/$unit.csv"; then
+        echo "$unit: frama-c failed; see $log"
         return 2
     fi
-    read -r proved goals < <(sed -n 's/.*Proved goals: *\([0-9]*\) *\/ *\([0-9]*\).*/\1 \2/p' "$out/$unit.log" | tail -n 1)
-    [ "${goals:-0}" -gt 0 ] && [ "$proved" -eq "$goals" ] || status=1
-    echo "$unit: ${proved:-0} of ${goals:-0} goals proved$(open_goals "$out/$unit.log" | sed 's/^/, OPEN: /' | tr -d '\n')"
+    goals=$(sed -n 's/.*Proved goals: *[0-9]* *\/ *\([0-9]*\).*/\1/p' "$log" | head -n 1)
+    left=$(open_goals "$log" | wc -l)
+    [ "${goals:-0}" -gt 0 ] && [ "$left" -eq 0 ] || status=1
+    echo "$unit: $((${goals:-0} - left)) of ${goals:-0} goals proved$(open_goals "$log" | sed 's/^/, OPEN: /' | tr -d '\n')"
     [ -z "${FUNCTIONS:-}" ] || return $status
     while IFS=: read -r label words; do
-        if grep -qE "Goal typed_[a-z0-9_]*$label" "$out/$unit.log" && ! open_goals "$out/$unit.log" | grep -q "$label"; then
+        if grep -qE "Goal typed_[a-z0-9_]*$label" "$log" && ! open_goals "$log" | grep -q "$label"; then
             echo "  theorem $label: proved:$words"
         else
             echo "  theorem $label: OPEN:$words"
             status=1
         fi
-    done < <(sed -n 's/^ *\*\{0,1\} *theorem \([A-Za-z0-9_]*\):\(.*\)/\1:\2/p' "tests/prove/$unit.c")
+    done < <(text_of "$unit" | sed -n 's/^ *\*\{0,1\} *theorem \([A-Za-z0-9_]*\):\(.*\)/\1:\2/p')
     return $status
 }
 

@@ -32,7 +32,7 @@ sound() { # UNIT
     local unit=$1 functions
     functions=$(awk -v unit="$unit" '!/^#/ && $2 == unit { print $3 }' tests/prove/faults.txt | sort -u | paste -sd,)
     copy "sound_$unit"
-    TIMEOUT=60 prove "sound_$unit" "$unit" "$functions" && echo "without a fault: $(cat "$top/sound_$unit/said"):PASS" ||
+    prove "sound_$unit" "$unit" "$functions" && echo "without a fault: $(cat "$top/sound_$unit/said"):PASS" ||
         echo "without a fault: $(cat "$top/sound_$unit/said"):FAIL"
 }
 
@@ -47,7 +47,7 @@ faulty() { # LINE
         echo "tests/prove/faults.txt:$line: the command must change one line of $file, but changes $changed:FAIL"
         return
     fi
-    TIMEOUT=5 prove "$name" "$unit" "$functions"
+    TIMEOUTS=5 prove "$name" "$unit" "$functions"
     case $? in
     0) echo "tests/prove/faults.txt:$line: $theorem: $functions is still proved with this fault: $command:FAIL" ;;
     1) echo "$theorem falls: $(cat "$top/$name/said"):PASS" ;;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
  *
- * The brake's table, published or, by tried_tuned.c, tuned: each distance, each speed, each cell. */
+ * The brake's table: each distance, each speed, each cell. The published one; those of the other images by
+ * tried_tuned.c and tried_brake_far.c. */
 #include "lut.c"
 #undef LUT_DATA
 #include "cell.c"

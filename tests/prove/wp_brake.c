@@ -23,9 +23,9 @@
  * theorem t11_pwm: a PWM pin that is not as it was set gives STOP and 100 %, unless the driver overrides
  */
 #include "bits.h"
-#include "range.c"
-#include "fixed.c"
-#include "closing.c"
+#include "sensor.h"
+#include "fixed.h"
+#include CLOSING_C
 #include "target.c"
 #include "fault.c"
 #include "warning.c"

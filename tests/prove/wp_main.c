@@ -12,9 +12,9 @@
 #include "bits.h"
 #include "pins.h"
 #include "identity.h"
-#include "range.c"
-#include "fixed.c"
-#include "closing.c"
+#include "sensor.h"
+#include "fixed.h"
+#include CLOSING_C
 #include "target.c"
 #include "fault.c"
 #include "warning.c"

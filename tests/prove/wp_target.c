@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
- *
  * proves: range.c closing.c target.c
  *
  * The brake's targets and their speeds: each function keeps its contract, from any state that can be. */
 #include "bits.h"
-#include "range.c"
-#include "fixed.c"
-#include "closing.c"
+#include "sensor.h"
+#include "fixed.h"
+#include RANGE_C
+#include CLOSING_C
 #include "target.c"
