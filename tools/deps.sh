@@ -18,7 +18,7 @@ packages_for() {
     unit) echo "$build parallel" ;;
     test) echo "$build $page gnuplot-nox chromium avrdude clang-format-19 fuzzylite" ;;
     bench) echo "$build gnuplot-nox parallel fuzzylite" ;;
-    # Debian 13 has no Frama-C, so its users cannot run the proofs.
+    # Debian 13 has no Frama-C: install_missing says so.
     prove) echo "$build frama-c-base ocaml-findlib why3 z3 cvc4" ;;
     fuzz) echo "$build clang libclang-rt-dev" ;;
     mutants) echo "$build clang libclang-dev" ;;
@@ -111,6 +111,14 @@ install_missing() {
     [ -n "$missing" ] || return 0
     echo "deps.sh: installing$missing"
     as_root apt-get -qq update
+    unknown=
+    for package in $missing; do
+        apt-cache show "$package" >/dev/null 2>&1 || unknown="$unknown $package"
+    done
+    [ -z "$unknown" ] || {
+        echo "deps.sh: error: this Debian has no package$unknown; another one may: tools/in-debian bookworm make $target" >&2
+        exit 1
+    }
     # shellcheck disable=SC2086  # a list of words
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >/dev/null
 }

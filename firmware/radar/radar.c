@@ -197,9 +197,13 @@ static uint8_t wanted_state(void)
 /*@ requires radar_counts;
     assigns frames_less, frames_closing, asked_pct, is_approach;
     ensures radar_counts;
+    ensures radar_holds: \old(radar.state) == RADAR_BRAKING && radar.target &&
+                radar.closing_dkmh > 0 ==> radar.state == RADAR_BRAKING;
     ensures radar_holds: \old(radar.state) == RADAR_BRAKING && radar.state < RADAR_BRAKING ==>
                 (radar.closing_dkmh <= 0 && \old(frames_less) + 1 >= FRAMES_LESS) ||
                 \old(frames_less) + 1 >= FRAMES_AWAY;
+    ensures radar_over_fault: \old(radar.state) == RADAR_FAULT && \old(is_approach) &&
+                radar.target && radar.closing_dkmh > 0 ==> radar.state == RADAR_BRAKING;
     ensures radar_over_fault: \old(radar.state) == RADAR_FAULT && \old(is_approach) &&
                 radar.state < RADAR_BRAKING ==>
                 (radar.closing_dkmh <= 0 && \old(frames_less) + 1 >= FRAMES_LESS) ||

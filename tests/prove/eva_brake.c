@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The brake, with the published law, or with the tuned one by eva_tuned.c and, behind the lidar, by eva_brake_far.c,
+/* long: yes
+ *
+ * The brake, with the published law, or with the tuned one by eva_tuned.c and, behind the lidar, by eva_brake_far.c,
  * whatever its sensor, its driver and its serial line do: no run-time error, for ever. */
 #include "hal.h"
 #include "machine.h"

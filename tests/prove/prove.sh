@@ -21,7 +21,7 @@ why3 config list-provers 2>/dev/null | grep -q Z3 || why3 config detect >"$out/w
 # The unit's text, and that of the unit that it includes: wp_brake_far.c is wp_brake.c with another sensor.
 text_of() { # UNIT
     cat "tests/prove/$1.c"
-    sed -n 's;^#include "\(wp_.*\)";tests/prove/\1;p' "tests/prove/$1.c" | xargs -r cat
+    sed -nE 's;^#include "((wp|eva|tried)_.*\.c)";tests/prove/\1;p' "tests/prove/$1.c" | xargs -r cat
 }
 
 # What a line of the unit's first comment says, such as "controller: brake".
@@ -122,9 +122,12 @@ by_both() {
     echo "sizes: SDCC and mcs51.ml agree on each size and conversion"
 }
 
+# With "sanitized: yes" it also ends at the first index that is not in its array.
 by_trying() { # UNIT
-    # shellcheck disable=SC2046  # the flags are words
-    gcc -O3 -std=c11 -Wall -Wextra -Werror $(flags "$1") "tests/prove/$1.c" -lm -o "$out/$1" && "$out/$1"
+    local sanitizers=''
+    [ -z "$(said "$1" sanitized)" ] || sanitizers='-fsanitize=address,undefined -fno-sanitize-recover=all'
+    # shellcheck disable=SC2046,SC2086  # the flags are words
+    gcc -O3 -std=c11 -Wall -Wextra -Werror $sanitizers $(flags "$1") "tests/prove/$1.c" -lm -o "$out/$1" && "$out/$1"
 }
 
 if [ $# -eq 1 ]; then
@@ -173,11 +176,11 @@ by_contract() {
     return $status
 }
 
-# All that are asked for, two at a time.
-[ $# -gt 0 ] || mapfile -t all < <(find tests/prove -name 'wp_*.c' -o -name 'eva_*.c' -o -name 'tried_*.c' -o -name sizes.c | sort -r)
+# All that are asked for, two at a time; first those that say "long: yes", so that none of them is left over at the end.
+[ $# -gt 0 ] || mapfile -t all < <(find tests/prove -name '*_*.c' -o -name sizes.c | xargs basename -s .c | sort)
 for unit in "${@:-${all[@]}}"; do
-    basename -s .c "$unit"
-done >"$out/units"
+    echo "${unit} $(said "$unit" long)"
+done | sort -s -r -k 2 | sed 's/ .*//' >"$out/units"
 # shellcheck disable=SC2016  # the inner shell expands it
 xargs -P 2 -I UNIT bash -c '"$0" "$1" >"$2/$1.txt" 2>&1; status=$?; cat "$2/$1.txt"; [ $status -eq 0 ]' "$PWD/tests/prove/prove.sh" UNIT "$out" <"$out/units" || status=1
 [ $# -gt 0 ] || by_contract || status=1

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: MIT
 # Proofs by Frama-C: `make prove`. The units are C files of tests/prove; prove.sh says what each kind is. Each
-# controller is proved with the table that it ships with, the brake with those of the tuned law, too.
+# controller is proved with the table that it ships with, the brake with those of the tuned law and the lidar,
+# too;
+# NAME_packed is what a small board makes of NAME's.
 PROVED_IMAGES := $(CONTROLLERS) tuned brake_far
-PROVE_TABLES  := $(PROVED_IMAGES:%=build/prove/%/lut_table.h)
+PACKED_IMAGES := brake tuned
+PROVE_TABLES  := $(foreach name,$(PROVED_IMAGES) $(PACKED_IMAGES:%=%_packed),build/prove/$(name)/lut_table.h)
 define prove_table
-build/prove/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
+build/prove/$(1)$(2)/lut_table.h: $$($(1)_TABLE) build/fistab
 	@mkdir -p $$(@D)
-	$$(Q)build/fistab table $$< --name=lut $(filter-out --encoding=%,$($(1)_FISTAB)) -o $$@
+	$$(Q)build/fistab table $$< --name=lut $(filter-out --encoding=%,$($(1)_FISTAB)) $(2:_%=--encoding=%) -o $$@
 endef
 $(foreach name,$(PROVED_IMAGES),$(eval $(call prove_table,$(name))))
+$(foreach name,$(PACKED_IMAGES),$(eval $(call prove_table,$(name),_packed)))
 
 # The machine, as a module for Frama-C.
 build/prove/mcs51.cmxs: tests/prove/mcs51.ml

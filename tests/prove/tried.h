@@ -18,6 +18,12 @@ static void say(const char *what, bool holds)
 }
 
 #ifdef FUZZY51_LUT_H
+#if LUT_PACKED
+#define TRIED_PACKED ", packed,"
+#else
+#define TRIED_PACKED ""
+#endif
+
 /* After #include "lut.c": each cell of the unit's table, by the firmware's own look-up. */
 static void say_cells(void)
 {
@@ -50,7 +56,7 @@ static void say_cells(void)
         }
     }
 #endif
-    say("lut.h: each cell of the table is a level", are_levels);
+    say("lut.h: each cell of " LUT_SOURCE TRIED_PACKED " is a level", are_levels);
 }
 #endif
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
+ * sanitized: yes
  *
- * The brake's table: each distance, each speed, each cell. The published one; those of the other images by
- * tried_tuned.c and tried_brake_far.c. */
+ * The brake's table: each distance, each speed, each cell. The published one; the tuned law's and that of brake_far,
+ * and the packed ones, which the small boards have, by the units that include this one. */
 #include "lut.c"
 #undef LUT_DATA
 #include "cell.c"

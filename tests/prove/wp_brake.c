@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* proves: fault.c latch.c warning.c brake.c wp_brake.c
+ * long: yes
  *
  * The brake's decision, its state machines and what may happen to them in any order: begin, then expect, read, tick
  * and fail for ever. The variables below count what has happened so far. `counted` says how the state of the
@@ -10,17 +11,17 @@
  * theorem t2_ends: but that it can end a STOP that was in doubt, or one with a road clear for 2 s
  * theorem t3_silence: more than 180 ms without a believed reading are FAULT, with at least FAULT_PCT
  * theorem t4_ends: a reading ends STOP only by the arrows into OPEN of latch.h
- * theorem t4_only: nothing but a reading and the override ends STOP
+ * theorem t4_only: nothing but a reading, the override and a new beginning ends STOP
  * theorem t5_duty: the brake is 0 to 100 %
- * theorem t6_leaves: FAULT ends only with the third believed reading in a row
+ * theorem t6_leaves: FAULT ends only with FAULT_GOOD_READINGS believed readings in a row
  * theorem t6_lasting: after a failed test FAULT never ends
- * theorem t7_no_dead_state: the third believed reading in a row ends every other FAULT
+ * theorem t7_no_dead_state: so many believed readings in a row end every other FAULT
  * theorem t7_road: a road clear for 2 s ends every STOP
- * theorem t7_opening: a gap that opens ends every STOP, at the second reading at the latest
+ * theorem t7_opening: a gap that opens ends every STOP, at the second such reading at the latest
  * theorem t7_passed: another target, tracked beyond LATCH_NEAR_MM for 1 s, ends every STOP
  * theorem t10_anew: whatever its RAM held, begun anew it is in FAULT, with FAULT_PCT to 100 %
  * theorem t8_override: the override acts from the 100th tick held in a row to the 3072nd, and not one tick longer than held
- * theorem t11_pwm: a PWM pin that is not as it was set gives STOP and 100 %, unless the driver overrides
+ * theorem t11_pwm: a PWM or STOP pin that is not as it was set gives STOP and 100 %, unless the driver overrides
  */
 #include "bits.h"
 #include "sensor.h"

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
  * proves: main.c
+ * long: yes
  *
  * The brake's main loop, from reset on, whatever the machine delivers.
  *
  * theorem t9_on: from reset until the self-test is over the brake is fully on, with STOP
- * theorem t9_passed: it ends without a lasting FAULT only if the check sum of all code is right
+ * theorem t9_passed: the self-test ends without a lasting FAULT only if the check sum of all code is right
  * theorem t10_anew: begun anew because a bit of RAM turned over, it brakes at least FAULT_PCT, in FAULT
  * theorem t9_fails: a failed self-test ends in a lasting FAULT, with at least FAULT_PCT at the pin
  */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* proves: cordic.c plan.c park.c
+ * long: yes
  *
  * The parking decision, from any state that can be.
  *

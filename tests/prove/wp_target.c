@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
  * proves: range.c closing.c target.c
+ * long: yes
  *
  * The brake's targets and their speeds: each function keeps its contract, from any state that can be. */
 #include "bits.h"

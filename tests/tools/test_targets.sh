@@ -50,4 +50,10 @@ printf '#!/bin/sh\necho apt-get was called >&2\nexit 3\n' >"$out/bin/apt-get"
 chmod +x "$out/bin/apt-get"
 refuses "NO_INSTALL=1 installs nothing" 1 "these are missing" without NO_INSTALL=1
 check "NO_INSTALL=1 goes on where all is there" env NO_INSTALL=1 tools/deps.sh unit
+# A Debian that has none of them.
+ln -s "$(command -v id)" "$(command -v env)" "$out/bin"
+printf '#!/bin/sh\n' >"$out/bin/apt-get"
+printf '#!/bin/sh\nexit 100\n' >"$out/bin/apt-cache"
+chmod +x "$out/bin/apt-cache"
+refuses "a package that this Debian lacks is named" 1 "this Debian has no package gcc" without A=1
 finish

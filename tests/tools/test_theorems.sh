@@ -9,5 +9,8 @@ awk '!/^(#|- )/ { print $1 }' tests/prove/faults.txt | sort -u >"$out/seeded"
 faultless "docs/proof.md explains each theorem" "$(comm -23 "$out/proved" "$out/explained" | xargs)"
 faultless "docs/proof.md names no other theorem" "$(comm -13 "$out/proved" "$out/explained" | xargs)"
 faultless "each theorem has a seeded fault" "$(comm -23 "$out/proved" "$out/seeded" | xargs)"
+sed -n 's|^tests/prove/\(wp_.*\)\.c$|\1|p' < <(ls tests/prove/*.c) | sort >"$out/units"
+awk '!/^#/ { print $2 }' tests/prove/faults.txt | sort -u >"$out/faulty"
+faultless "each unit of WP has a seeded fault" "$(comm -23 "$out/units" "$out/faulty" | xargs)"
 faultless "each seeded fault is of a theorem" "$(comm -13 "$out/proved" "$out/seeded" | grep -vx -- - | xargs)"
 finish
