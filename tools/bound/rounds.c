@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "rounds.h"
 
+#include "memory.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -134,11 +136,8 @@ long rounds_count(const struct flow *flow, const struct function *function, cons
     struct turning turning = {.flow = flow, .function = function, .header = header};
     long rounds;
 
-    turning.places = calloc((size_t)function->node_count, sizeof *turning.places);
-    turning.queue = calloc((size_t)function->node_count, sizeof *turning.queue);
-    if (turning.places == NULL || turning.queue == NULL) {
-        abort();
-    }
+    turning.places = memory_get((size_t)function->node_count, sizeof *turning.places);
+    turning.queue = memory_get((size_t)function->node_count, sizeof *turning.queue);
     for (int i = 0; i < count; i++) {
         turning.places[members[i]].is_member = true;
     }

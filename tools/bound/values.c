@@ -102,7 +102,7 @@ int values_depth(const struct values *values)
 {
     struct value sp = values->byte[SP];
 
-    if (sp.kind != VALUE_ENTRY || sp.place != SP) {
+    if (sp.place != SP) {
         return VALUES_LOST;
     }
     return sp.number < BELOW ? sp.number : sp.number - 0x100;
@@ -116,7 +116,7 @@ static int bank_of(const struct values *values)
 {
     struct value psw = values->byte[PSW];
 
-    if (psw.kind == VALUE_ENTRY && psw.place == PSW) {
+    if (psw.kind == VALUE_ENTRY) {
         return 0;
     }
     return is_const(psw) ? psw.number : -1;
@@ -175,7 +175,7 @@ static void set_indirect(struct values *values, const struct values_world *world
         if (pointer.number < RAM) {
             set_byte(values, world, pointer.number, value);
         }
-    } else if (pointer.kind == VALUE_ENTRY && pointer.place == SP) {
+    } else if (pointer.place == SP) {
         if (pointer.number < VALUES_SLOTS) {
             values->slot[pointer.number] = any;
         }
@@ -386,8 +386,8 @@ static struct value table_at(unsigned base)
     return (struct value){.kind = VALUE_TABLE, .number = (uint16_t)base};
 }
 
-/* Returns whether OPCODE changes nothing but the accumulator, B and the carry. */
-static bool step_accumulator(struct values *values, uint8_t opcode)
+/* OPCODE, if it is one of those of the accumulator alone, with B and the carry. */
+static void step_accumulator(struct values *values, uint8_t opcode)
 {
     struct value a = values->byte[ACC], b = values->byte[B], product = any;
 
@@ -397,11 +397,11 @@ static bool step_accumulator(struct values *values, uint8_t opcode)
     case 0x13:
     case 0x33:
         rotate(values, (opcode & 0x20) != 0, (opcode & 0x10) != 0);
-        return true;
+        break;
     case 0x84: /* div */
         values->byte[ACC] = values->byte[B] = any;
         values->carry = constant(0);
-        return true;
+        break;
     case 0xA4: /* mul */
         if (is_const(a) && is_const(b)) {
             product = wide((unsigned)a.number * b.number);
@@ -409,72 +409,68 @@ static bool step_accumulator(struct values *values, uint8_t opcode)
         values->byte[ACC] = low_half(product);
         values->byte[B] = high_half(product);
         values->carry = constant(0);
-        return true;
+        break;
     case 0xC4: /* swap */
         values->byte[ACC] =
             is_const(a) ? constant((unsigned)a.number << 4 | (unsigned)a.number >> 4) : any;
-        return true;
+        break;
     case 0xD4: /* da */
         values->byte[ACC] = values->carry = any;
-        return true;
+        break;
     case 0xE0: /* movx */
     case 0xE2:
     case 0xE3:
         values->byte[ACC] = any;
-        return true;
+        break;
     case 0xE4: /* clr */
         values->byte[ACC] = constant(0);
-        return true;
+        break;
     case 0xF4: /* cpl */
         values->byte[ACC] = is_const(a) ? constant(~(unsigned)a.number) : any;
-        return true;
-    default:
-        return false;
+        break;
     }
 }
 
-/* Returns whether this is an instruction of bits. */
-static bool step_bit(struct values *values, const struct values_world *world, const uint8_t *code)
+/* The instruction, if it is one of bits. */
+static void step_bit(struct values *values, const struct values_world *world, const uint8_t *code)
 {
     switch (code[0]) {
     case 0x10: /* jbc: afterwards the bit is 0 either way */
     case 0xC2:
         set_bit(values, world, code[1], constant(0));
-        return true;
+        break;
     case 0xD2:
         set_bit(values, world, code[1], constant(1));
-        return true;
+        break;
     case 0xB2:
         set_bit(values, world, code[1], invert(get_bit(values, code[1])));
-        return true;
+        break;
     case 0x92:
         set_bit(values, world, code[1], values->carry);
-        return true;
+        break;
     case 0xA2:
         values->carry = get_bit(values, code[1]);
-        return true;
+        break;
     case 0xB3:
         values->carry = invert(values->carry);
-        return true;
+        break;
     case 0xC3:
         values->carry = constant(0);
-        return true;
+        break;
     case 0xD3:
         values->carry = constant(1);
-        return true;
+        break;
     case 0x72: /* orl c, anl c */
     case 0x82:
     case 0xA0:
     case 0xB0:
         values->carry = any;
-        return true;
-    default:
-        return false;
+        break;
     }
 }
 
-/* Returns whether this is an instruction of the stack, of the data pointer or of tables in code. */
-static bool step_address(struct values *values, const struct values_world *world, uint16_t address)
+/* The instruction, if it is one of the stack, of the data pointer or of tables in code. */
+static void step_address(struct values *values, const struct values_world *world, uint16_t address)
 {
     const uint8_t *code = &world->code[address];
     struct value pointer = pair(values);
@@ -484,39 +480,37 @@ static bool step_address(struct values *values, const struct values_world *world
     case 0xC0: /* push: of the stack pointer itself, what it is afterwards */
         values->byte[SP].number++;
         values->slot[depth + 1] = values->byte[code[1]];
-        return true;
+        break;
     case 0xD0:
         values->byte[SP] = plus(values->byte[SP], -1);
         set_byte(values, world, code[1], values->slot[depth]);
-        return true;
+        break;
     case 0x22: /* ret, reti: of a switch, a jump to an address that it has pushed */
     case 0x32:
         if (depth >= 2) {
             values->byte[SP].number -= 2;
         }
-        return true;
+        break;
     case 0x83: /* movc a,@a+pc; before it `add a,#(table - next)` */
         values->byte[ACC] =
             address >= 2 && code[-2] == 0x24 ? table_at(address + 1U + code[-1]) : any;
-        return true;
+        break;
     case 0x93: /* movc a,@a+dptr */
         values->byte[ACC] = is_const(pointer) ? table_at(pointer.number) : any;
-        return true;
+        break;
     case 0x90:
         values->byte[DPH] = constant(code[1]);
         values->byte[DPL] = constant(code[2]);
-        return true;
+        break;
     case 0xA3:
         pointer.number++;
         values->byte[DPL] = low_half(pointer);
         values->byte[DPH] = high_half(pointer);
-        return true;
-    default:
-        return false;
+        break;
     }
 }
 
-/* The instructions with an operand; the others change nothing that is followed. */
+/* An instruction with an operand. */
 static void step_operand(struct values *values, const struct values_world *world,
                          const uint8_t *code)
 {
@@ -581,13 +575,17 @@ void values_step(struct values *values, const struct values_world *world, uint16
 {
     const uint8_t *code = &world->code[address];
     int operation = code[0] >> 4, form = code[0] & 15, before = values_depth(values);
+    bool is_logic = operation >= 4 && operation <= 6; /* orl, anl, xrl */
+    bool is_accumulators = form == 4 && (operation == 8 || operation == 0xA || operation >= 0xC);
 
-    if ((form == 2 || form == 3) && operation >= 4 && operation <= 6) { /* orl, anl, xrl direct */
-        set_byte(values, world, code[1],
-                 combine(operation, get_byte(values, code[1]),
-                         form == 2 ? values->byte[ACC] : constant(code[2])));
-    } else if (!step_accumulator(values, code[0]) && !step_bit(values, world, code) &&
-               !step_address(values, world, address) && form > 3) {
+    step_accumulator(values, code[0]);
+    step_bit(values, world, code);
+    step_address(values, world, address);
+    if ((form == 2 || form == 3) && is_logic) {
+        struct value other = form == 2 ? values->byte[ACC] : constant(code[2]);
+
+        set_byte(values, world, code[1], combine(operation, get_byte(values, code[1]), other));
+    } else if (form > 3 && !is_accumulators) {
         step_operand(values, world, code);
     }
     /* What is beyond the stack pointer, interrupts and callees overwrite. */

@@ -30,8 +30,8 @@ enum {
 
 struct value {
     uint8_t kind;
-    uint8_t place; /* 0xD0, the PSW, also marks a constant of which only the bank is known: bits 3
-                      and 4 */
+    uint8_t place; /* of the PSW, 0xD0, only the bank is known, bits 3 and 4; a constant, too, has
+                      this place there; else 0 */
     uint16_t number;
 };
 
