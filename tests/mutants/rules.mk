@@ -51,8 +51,7 @@ $(1)_PROGRAMS := $$($(1)_TESTS:%.c=$(MUTANT_DIR)/$(1)/%)
 $(MUTANT_DIR)/$(1)/%.i: MUTANT_FLAGS := $$(TOOL_MUTANT_FLAGS)
 $$($(1)_PROGRAMS): $(MUTANT_DIR)/$(1)/%: $(MUTANT_DIR)/plain/%.o $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o) $(MUTANT_DIR)/plain/tools.a
 endef
-# A case takes a second at most: with fewer rounds than it has in `make test`.
-TOOL_MUTANT_FLAGS = -DMCS52_STATES=200 $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
+TOOL_MUTANT_FLAGS = $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
 $(foreach room,$(TOOL_ROOMS),$(eval $(call tool_room,$(room))))
 $(MUTANT_DIR)/plain/%.o: %.c | build/boards.h build/worlds.h
 	@mkdir -p $(@D)

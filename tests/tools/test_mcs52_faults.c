@@ -41,6 +41,43 @@ static void test_that_a_bit_flips_in_each_place(void)
     TEST_ASSERT_EQUAL_HEX8(0, mcs52_ram(chip)[0x40]);
 }
 
+/* A bit that is set becomes clear, and nothing else changes: the RAM at B's address neither. */
+static void test_that_a_flip_changes_its_bit_alone(void)
+{
+    for (unsigned bank = 0; bank <= 0x18; bank += 8) {
+        uint8_t *ram, before[MCS52_RAM_BYTES];
+
+        setUp();
+        ram = mcs52_ram(chip);
+        for (int i = 0; i < MCS52_RAM_BYTES; i++) {
+            ram[i] = before[i] = (uint8_t)(i ^ 0x55);
+        }
+        set(PSW, bank);
+        set(0xF0, 0x81);
+        TEST_ASSERT_TRUE(inject(MCS52_FLIP, MCS52_IN_SFR, 0xF0, 7, 5));
+        TEST_ASSERT_TRUE(inject(MCS52_FLIP, MCS52_IN_RAM, 0x40, 0, 5));
+        TEST_ASSERT_TRUE(inject(MCS52_FLIP, MCS52_IN_REGISTER, 5, 4, 5));
+        mcs52_run(chip, 10);
+        TEST_ASSERT_EQUAL_HEX8(0x01, sfr(0xF0));
+        before[0x40] ^= 0x01;     /* 15h */
+        before[bank + 5] ^= 0x10; /* 50h, 58h, 40h, 48h */
+        TEST_ASSERT_EQUAL_HEX8_ARRAY(before, ram, MCS52_RAM_BYTES);
+        TEST_ASSERT_EQUAL_HEX16(10, mcs52_pc(chip));
+    }
+}
+
+/* In idle a bit is struck at its time, too. */
+static void test_that_a_bit_is_struck_in_idle(void)
+{
+    set(0x87, 0x01);
+    TEST_ASSERT_TRUE(inject(MCS52_STUCK_HIGH, MCS52_IN_RAM, 0x40, 0, 50));
+    mcs52_run(chip, 49);
+    TEST_ASSERT_EQUAL_HEX8(0, mcs52_ram(chip)[0x40]);
+    mcs52_run(chip, 60);
+    TEST_ASSERT_EQUAL_HEX8(1, mcs52_ram(chip)[0x40]);
+    TEST_ASSERT_TRUE(mcs52_is_asleep(chip));
+}
+
 /* A stuck bit is forced before each instruction, until it is healed; by a count of instructions,
  * from that instruction on. */
 static void test_that_a_bit_sticks_until_it_is_healed(void)
@@ -160,6 +197,29 @@ static void test_that_chips_differ_where_their_ways_part(void)
     other = NULL;
 }
 
+/* Neither a look at a register nor a comparison changes a chip's way: timer 0, gated by INT0, counts
+ * the cycles 0 to 99; timer 1 overflows in cycle 100. */
+static void test_that_looking_changes_nothing(void)
+{
+    struct mcs52_snapshot snapshot;
+    struct mcs52 *unseen;
+
+    set(TMOD, 0x29); /* timer 0: mode 1, gated; timer 1: mode 2 */
+    set(TL1, 256 - 101);
+    set(TCON, 0x51);
+    mcs52_run(chip, 99);
+    mcs52_step(chip);
+    unseen = mcs52_create(MCS52_INTEL, NULL);
+    mcs52_copy(unseen, chip);
+    TEST_ASSERT_EQUAL_HEX8(0xD1, sfr(TCON));
+    TEST_ASSERT_TRUE(mcs52_equal(chip, unseen));
+    mcs52_snapshot(chip, &snapshot);
+    mcs52_set_pin(chip, 100, 3, 2, false);
+    mcs52_run(chip, 200);
+    TEST_ASSERT_EQUAL(100, sfr(TL0));
+    mcs52_destroy(unseen);
+}
+
 /* From a snapshot a chip goes on as the one did that it was taken of, whatever it did before. */
 static void test_that_a_snapshot_goes_on_alike(void)
 {
@@ -178,9 +238,21 @@ static void test_that_a_snapshot_goes_on_alike(void)
     TEST_ASSERT_NOT_EQUAL(0, memcmp(&early, &late, sizeof early));
     mcs52_ram(chip)[0x30] ^= 0x80;
     set(TMOD, 0x22);
+    mcs52_set_pin(chip, 0, 1, 2, false);
+    mcs52_set_pin(chip, 6000, 1, 3, false);
+    mcs52_set_pin(chip, 6001, 1, 4, false);
+    mcs52_run(chip, 6000);
+    TEST_ASSERT_FALSE(mcs52_pin(chip, 1, 2));
     mcs52_revive(chip, &early);
+    TEST_ASSERT_TRUE(mcs52_pin(chip, 1, 2));
+    TEST_ASSERT_TRUE(mcs52_pin(chip, 1, 3));
     mcs52_snapshot(chip, &again);
     TEST_ASSERT_EQUAL_MEMORY(&early, &again, sizeof early);
+    mcs52_run(chip, 7000);
+    TEST_ASSERT_TRUE(mcs52_pin(chip, 1, 4)); /* nothing waits any more */
+    mcs52_set_pin(chip, 7001, 1, 4, false);
+    mcs52_run(chip, 7010);
+    TEST_ASSERT_FALSE(mcs52_pin(chip, 1, 4));
     mcs52_revive(chip, &early);
     mcs52_run(chip, 5000);
     mcs52_snapshot(chip, &again);
@@ -232,10 +304,13 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_that_a_bit_flips_in_each_place);
+    RUN_TEST(test_that_a_flip_changes_its_bit_alone);
+    RUN_TEST(test_that_a_bit_is_struck_in_idle);
     RUN_TEST(test_that_a_bit_sticks_until_it_is_healed);
     RUN_TEST(test_that_flips_come_in_their_order);
     RUN_TEST(test_that_bits_that_are_not_there_are_refused);
     RUN_TEST(test_that_chips_differ_where_their_ways_part);
+    RUN_TEST(test_that_looking_changes_nothing);
     RUN_TEST(test_that_a_snapshot_goes_on_alike);
     RUN_TEST(test_that_old_requests_make_no_difference);
 #ifndef __SANITIZE_ADDRESS__

@@ -171,6 +171,81 @@ static void test_that_levels_come_again_and_edges_do_not(void)
     }
 }
 
+/* The flag of the edge stays when its pin rises, that of the level goes, whatever type the other
+ * input is of; and serving the level leaves the types as they are. */
+static void test_that_each_input_has_its_own_type(void)
+{
+    for (unsigned types = 0; types < 4; types++) {
+        unsigned control = (types & 1 ? IT0 : 0) | (types & 2 ? IT1 : 0);
+
+        setUp();
+        load_routines();
+        set(TCON, control);
+        mcs52_set_pin(chip, 10, 3, 2, false);
+        mcs52_set_pin(chip, 10, 3, 3, false);
+        mcs52_run(chip, 11);
+        TEST_ASSERT_EQUAL_HEX8(control | 0x0A, sfr(TCON));
+        mcs52_set_pin(chip, 20, 3, 2, true);
+        mcs52_set_pin(chip, 30, 3, 3, true);
+        mcs52_run(chip, 21);
+        TEST_ASSERT_EQUAL_HEX8(control | 0x08 | (types & 1 ? 0x02 : 0), sfr(TCON));
+        mcs52_run(chip, 31);
+        TEST_ASSERT_EQUAL_HEX8(control | (types & 2 ? 0x08 : 0) | (types & 1 ? 0x02 : 0),
+                               sfr(TCON));
+        mcs52_set_pin(chip, 40, 3, 2, false);
+        mcs52_set_pin(chip, 40, 3, 3, false);
+        set(IE, 0x85);
+        mcs52_run(chip, 100);
+        TEST_ASSERT_EQUAL_HEX8(control, sfr(TCON) & (IT0 | IT1));
+    }
+}
+
+/* A pin that falls in an instruction's first or only its last cycle sets a flag that the
+ * instruction then writes over. */
+static void test_that_a_write_comes_after_what_its_instruction_saw(void)
+{
+    for (uint64_t fall = 10; fall < 13; fall++) {
+        setUp();
+        set(TCON, IT0);
+        LOAD(10, MOV_DIRECT, TCON, IT0 | IT1);
+        mcs52_set_pin(chip, fall, 3, 2, false);
+        mcs52_run(chip, 20);
+        TEST_ASSERT_EQUAL_HEX8(IT0 | IT1 | (fall < 12 ? 0 : 0x02), sfr(TCON));
+    }
+}
+
+/* Intel: TI and RI are set by the hardware or by software, and share a vector. */
+static void test_that_software_may_request_the_serial_interrupt(void)
+{
+    for (unsigned flag = 1; flag <= 2; flag++) {
+        setUp();
+        load_routines();
+        set(IE, 0xB0); /* serial and timer 2 */
+        set(SCON, flag);
+        TEST_ASSERT_TRUE(begins(4, 20) > 0);
+        set(SCON, 0);
+        mcs52_run(chip, 30);
+        TEST_ASSERT_EQUAL(0, begins(4, 100));
+        TEST_ASSERT_EQUAL(0, counts()[5]);
+    }
+}
+
+/* Nothing is requested after a reset. */
+static void test_that_a_reset_ends_all_requests(void)
+{
+    load_routines();
+    set(TCON, 0xAA | IT0 | IT1);
+    set(SCON, 0x03);
+    set(T2CON, 0xC0);
+    mcs52_run(chip, 50);
+    mcs52_reset(chip);
+    set(IE, 0xBF);
+    mcs52_run(chip, 150);
+    for (int n = 0; n < SOURCES; n++) {
+        TEST_ASSERT_EQUAL(0, counts()[n]);
+    }
+}
+
 /* A request that is gone before it is polled is none; and one that no enable bit lets through
  * waits. */
 static void test_that_a_request_must_last_until_it_is_polled(void)
@@ -264,6 +339,10 @@ int main(void)
     RUN_TEST(test_that_a_high_level_interrupts_a_low_one);
     RUN_TEST(test_that_the_level_comes_before_the_sequence);
     RUN_TEST(test_that_levels_come_again_and_edges_do_not);
+    RUN_TEST(test_that_each_input_has_its_own_type);
+    RUN_TEST(test_that_a_write_comes_after_what_its_instruction_saw);
+    RUN_TEST(test_that_software_may_request_the_serial_interrupt);
+    RUN_TEST(test_that_a_reset_ends_all_requests);
     RUN_TEST(test_that_a_request_must_last_until_it_is_polled);
     RUN_TEST(test_that_exf2_is_a_request_but_with_dcen);
     RUN_TEST(test_that_dcen_counts_in_reload_mode_only);

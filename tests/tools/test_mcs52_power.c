@@ -45,6 +45,7 @@ static void test_that_reset_gives_each_register_its_value(void)
     static const uint8_t zero[] = {ACC, 0xF0, PSW, 0x82, 0x83, TCON, TMOD,
                                    TL0, TH0,  IE,  IP,   SCON, T2CON};
 
+    set(SBUF, 0x5A);
     LOAD(0, MOV_DIRECT, 0x30, 0x12, MOV_DIRECT, SP, 0x60, MOV_DIRECT, IE, 0x85, MOV_DIRECT, TCON,
          0x55, 0x74, 0x99);
     mcs52_run(chip, 20);
@@ -60,6 +61,32 @@ static void test_that_reset_gives_each_register_its_value(void)
         TEST_ASSERT_EQUAL_HEX8(0xFF, sfr((uint8_t)(P0 + 16 * port)));
     }
     TEST_ASSERT_EQUAL_HEX8(0x12, mcs52_ram(chip)[0x30]);
+    TEST_ASSERT_EQUAL_HEX8(0x5A, sfr(SBUF));
+}
+
+/* Each latch that was low rises once, at the reset; and what the outside does later stays planned. */
+static void test_that_a_reset_lets_the_pins_rise(void)
+{
+    for (int port = 0; port < 4; port++) {
+        for (int bit = 0; bit < 8; bit++) {
+            mcs52_watch(chip, port, bit);
+        }
+    }
+    set(P1, 0xFE);
+    set(P3, 0x7F);
+    mcs52_set_pin(chip, 100, 3, 2, false);
+    mcs52_run(chip, 50);
+    edge_count = 0;
+    mcs52_reset(chip);
+    mcs52_run(chip, 200);
+    TEST_ASSERT_EQUAL(3, edge_count);
+    TEST_ASSERT_EQUAL(10, edges[0].pin);
+    TEST_ASSERT_EQUAL(37, edges[1].pin);
+    TEST_ASSERT_EQUAL(32, edges[2].pin);
+    TEST_ASSERT_EQUAL_UINT64(50, edges[0].cycle);
+    TEST_ASSERT_EQUAL_UINT64(50, edges[1].cycle);
+    TEST_ASSERT_EQUAL_UINT64(100, edges[2].cycle);
+    TEST_ASSERT_EQUAL(0, edges[2].value);
 }
 
 /* Atmel: POF is set when power comes up and stays through a reset. Intel's part has none. */
@@ -88,6 +115,8 @@ static void test_that_the_at89s52_watchdog_bites(void)
     mcs52_run(chip, 4 + AT89S52_MC - 10);
     feed_at89s52();
     uint64_t fed = mcs52_cycles(chip);
+    mcs52_run(chip, fed + 1000);
+    set(SCON, 0x40); /* no matter to it */
     mcs52_run(chip, fed + AT89S52_MC - 1);
     TEST_ASSERT_EQUAL(0, reset_count);
     mcs52_run(chip, fed + AT89S52_MC);
@@ -108,6 +137,13 @@ static void test_that_only_the_right_two_bytes_feed(void)
         mcs52_run(chip, 3 * AT89S52_MC);
         TEST_ASSERT_EQUAL(0, reset_count);
     }
+    make_chip(MCS52_AT89S52); /* a reset between them */
+    LOAD(0, MOV_DIRECT, WDTRST, 0x1E);
+    mcs52_run(chip, 2);
+    mcs52_reset(chip);
+    LOAD(0, MOV_DIRECT, WDTRST, 0xE1);
+    mcs52_run(chip, 3 * AT89S52_MC);
+    TEST_ASSERT_EQUAL(0, reset_count);
     for (enum mcs52_part part = MCS52_INTEL; part <= MCS52_STC89; part++) {
         make_chip(part);
         LOAD(0, MOV_DIRECT, WDTRST, 0x1E, MOV_DIRECT, WDTRST, 0xE1, MOV_DIRECT, WDT_CONTR,
@@ -182,15 +218,17 @@ static void test_that_a_watchdog_may_stand_in_idle(void)
         mcs52_run(chip, 1000);
         set(PCON, IDL);
         asleep = mcs52_cycles(chip);
-        mcs52_set_pin(chip, 10000, 3, 2, false);
-        mcs52_run(chip, period * 2 + 20000);
-        TEST_ASSERT_EQUAL(1, reset_count);
+        mcs52_set_pin(chip, asleep + 3 * period, 3, 2, false);
+        mcs52_run(chip, asleep + 2 * period);
+        TEST_ASSERT_EQUAL(!cases[i].stands, reset_count);
         if (cases[i].stands) {
-            uint64_t wanted = started + period + 10000 - asleep;
+            uint64_t awake = asleep + 3 * period + 2; /* polled in the next cycle, then the LCALL */
 
-            TEST_ASSERT_TRUE(reset_cycle + 10 > wanted && reset_cycle < wanted + 10);
+            mcs52_run(chip, asleep + 5 * period);
+            TEST_ASSERT_EQUAL(1, reset_count);
+            TEST_ASSERT_EQUAL_UINT64(started + period + awake - asleep, reset_cycle);
         } else {
-            TEST_ASSERT_TRUE(reset_cycle == started + period);
+            TEST_ASSERT_EQUAL_UINT64(started + period, reset_cycle);
         }
     }
 }
@@ -240,6 +278,7 @@ static void test_that_only_reset_ends_intels_power_down(void)
     mcs52_set_pin(chip, 1000, 3, 2, false);
     mcs52_run(chip, 100000);
     mcs52_step(chip);
+    TEST_ASSERT_EQUAL_UINT64(100001, mcs52_cycles(chip));
     TEST_ASSERT_TRUE(mcs52_is_asleep(chip));
     TEST_ASSERT_EQUAL(1, edge_count);
     TEST_ASSERT_EQUAL(count, sfr(TL0));
@@ -279,6 +318,7 @@ static void test_that_an_interrupt_pin_ends_power_down(void)
         TEST_ASSERT_EQUAL(0, byte_count);
         mcs52_run(chip, from + SLEPT + 3);
         TEST_ASSERT_FALSE(mcs52_is_asleep(chip));
+        TEST_ASSERT_EQUAL_HEX8(0, sfr(PCON) & PD);
         TEST_ASSERT_UINT_WITHIN(4, count + 3, sfr(TL0));
         mcs52_run(chip, from + SLEPT + 2000);
         TEST_ASSERT_EQUAL(1, byte_count);
@@ -310,6 +350,48 @@ static void test_that_a_low_pin_ends_power_down_at_once(void)
     }
 }
 
+/* A fall of any other pin leaves the chip asleep. */
+static void test_that_only_the_enabled_pin_ends_power_down(void)
+{
+    static const struct {
+        int bit;
+        uint8_t enable;
+    } cases[] = {{2, 0x81}, {3, 0x84}};
+
+    for (int i = 0; i < 2; i++) {
+        make_chip(MCS52_AT89S52);
+        set(TCON, 0x05);
+        set(IE, cases[i].enable);
+        set(PCON, PD);
+        for (int pin = 0; pin < 32; pin++) {
+            if (pin != 24 + cases[i].bit) {
+                mcs52_set_pin(chip, 100, pin / 8, pin % 8, false);
+            }
+        }
+        mcs52_run(chip, 200);
+        TEST_ASSERT_TRUE(mcs52_is_asleep(chip));
+        mcs52_set_pin(chip, 300, 3, cases[i].bit, false);
+        mcs52_run(chip, 301);
+        TEST_ASSERT_FALSE(mcs52_is_asleep(chip));
+    }
+}
+
+/* By level, a flag is what its pin has become in power-down. */
+static void test_that_levels_are_looked_at_after_power_down(void)
+{
+    make_chip(MCS52_AT89S52);
+    set(TCON, 0x01); /* INT0 by edge, INT1 by level */
+    set(IE, 0x81);
+    set(PCON, PD);
+    mcs52_set_pin(chip, 100, 3, 3, false);
+    mcs52_set_pin(chip, 200, 3, 2, false);
+    mcs52_run(chip, 199);
+    TEST_ASSERT_TRUE(mcs52_is_asleep(chip));
+    mcs52_run(chip, 200);
+    TEST_ASSERT_FALSE(mcs52_is_asleep(chip));
+    TEST_ASSERT_EQUAL_HEX8(0x0B, sfr(TCON)); /* IE1, IE0, IT0 */
+}
+
 /* --- ports and the outside -------------------------------------------------------------------- */
 
 /* Intel: read-modify-write takes the latch, all else the pin. */
@@ -336,6 +418,16 @@ static void test_that_pin_changes_come_in_order(void)
     TEST_ASSERT_TRUE(mcs52_set_pin(chip, 7, 2, 0, false));
     mcs52_run(chip, 101);
     TEST_ASSERT_EQUAL_UINT64(100, edges[2].cycle);
+    edge_count = 0;
+    for (uint64_t i = 0; i < MCS52_PIN_QUEUE; i++) { /* two at a time, through all places */
+        TEST_ASSERT_TRUE(mcs52_set_pin(chip, 200 + 10 * i, 2, 0, true));
+        TEST_ASSERT_TRUE(mcs52_set_pin(chip, 203 + 10 * i, 2, 0, false));
+        mcs52_run(chip, 206 + 10 * i);
+        TEST_ASSERT_EQUAL(2, edge_count);
+        TEST_ASSERT_EQUAL_UINT64(200 + 10 * i, edges[0].cycle);
+        TEST_ASSERT_EQUAL_UINT64(203 + 10 * i, edges[1].cycle);
+        edge_count = 0;
+    }
     for (int i = 0; i < MCS52_PIN_QUEUE; i++) {
         TEST_ASSERT_TRUE(mcs52_set_pin(chip, 1000, 2, 0, true));
     }
@@ -393,6 +485,11 @@ static void test_that_a_listener_stops_a_run(void)
     mcs52_set_pin(own, 50, 1, 1, false); /* between two NOPs */
     TEST_ASSERT_EQUAL_UINT64(50, mcs52_run(own, 1000));
     TEST_ASSERT_EQUAL_UINT64(1000, mcs52_run(own, 1000));
+    mcs52_poke(own, P1, 0xFF); /* an edge between two runs stops neither a run */
+    TEST_ASSERT_EQUAL_UINT64(1010, mcs52_run(own, 1010));
+    mcs52_poke(own, P1, 0xFE); /* nor a step */
+    mcs52_step(own);
+    TEST_ASSERT_EQUAL_UINT64(1011, mcs52_cycles(own));
     mcs52_destroy(own);
 }
 
@@ -409,6 +506,22 @@ static void test_that_registers_can_be_set(void)
     TEST_ASSERT_EQUAL_HEX8(0x77, sfr(0xF0));
     set(TCON, 0x08);
     TEST_ASSERT_EQUAL_HEX8(0, sfr(TCON)); /* by level, IE1 is the pin, which is high */
+    make_chip(MCS52_AT89S52);
+    set(WDTRST, 0x1E);
+    set(WDTRST, 0xE1); /* feeds nothing */
+    TEST_ASSERT_EQUAL_HEX8(0xE1, sfr(WDTRST));
+    mcs52_run(chip, 3 * AT89S52_MC);
+    make_chip(MCS52_STC89);
+    set(WDT_CONTR, EN_WDT | CLR_WDT);
+    TEST_ASSERT_EQUAL_HEX8(EN_WDT | CLR_WDT, sfr(WDT_CONTR));
+    mcs52_run(chip, 3 * STC89_MC);
+    TEST_ASSERT_EQUAL(0, reset_count);
+    make_chip(MCS52_INTEL);
+    set(SCON, 0x80);
+    set(SBUF, 0x55); /* sends nothing */
+    mcs52_run(chip, 1000);
+    TEST_ASSERT_EQUAL(0, byte_count);
+    make_chip(MCS52_INTEL);
     mcs52_jump(chip, 0x1235);
     mcs52_cover(chip, map);
     mcs52_run(chip, 2);
@@ -421,6 +534,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_that_reset_gives_each_register_its_value);
+    RUN_TEST(test_that_a_reset_lets_the_pins_rise);
     RUN_TEST(test_that_pof_tells_power_from_reset);
     RUN_TEST(test_that_the_at89s52_watchdog_bites);
     RUN_TEST(test_that_only_the_right_two_bytes_feed);
@@ -432,6 +546,8 @@ int main(void)
     RUN_TEST(test_that_only_reset_ends_intels_power_down);
     RUN_TEST(test_that_an_interrupt_pin_ends_power_down);
     RUN_TEST(test_that_a_low_pin_ends_power_down_at_once);
+    RUN_TEST(test_that_only_the_enabled_pin_ends_power_down);
+    RUN_TEST(test_that_levels_are_looked_at_after_power_down);
     RUN_TEST(test_that_a_port_is_latch_and_pin);
     RUN_TEST(test_that_pin_changes_come_in_order);
     RUN_TEST(test_that_a_chip_without_listeners_runs);

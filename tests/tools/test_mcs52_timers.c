@@ -136,6 +136,23 @@ static void test_that_either_half_may_come_first(void)
     TEST_ASSERT_EQUAL_HEX8(TF0 | TF1, sfr(TCON) & (TF0 | TF1));
 }
 
+/* TF1 of the half TH0 asks in its cycle, whatever TCON's other bits are. */
+static void test_that_the_second_half_sets_tf1_in_its_cycle(void)
+{
+    for (unsigned types = 0; types < 16; types++) {
+        unsigned wanted = types & 5; /* by level, IE0 and IE1 are the pins, which are high */
+
+        setUp();
+        set(TMOD, 0x03);
+        set(TH0, 0xF0);
+        set(TCON, TR1 | wanted);
+        mcs52_run(chip, 14);
+        TEST_ASSERT_EQUAL_HEX8(TR1 | wanted, sfr(TCON));
+        mcs52_run(chip, 15);
+        TEST_ASSERT_EQUAL_HEX8(TF1 | TR1 | wanted, sfr(TCON));
+    }
+}
+
 /* Intel: with timer 0 in mode 3, timer 1 runs without TR1 and sets no flag; its own mode 3 stops
  * it. */
 static void test_that_timer_1_runs_alone_beside_mode_3(void)
@@ -189,12 +206,18 @@ static void test_that_a_counter_counts_falls(void)
     static const struct {
         uint8_t mode, run, low;
         int bit;
-    } timers[] = {{0x05, TR0, TL0, 4}, {0x50, TR1, TL1, 5}};
+    } timers[] = {
+        {0x05, TR0, TL0, 4}, {0x50, TR1, TL1, 5}, {0x04, TR0, TL0, 4}, {0x40, TR1, TL1, 5}};
 
-    for (int n = 0; n < 2; n++) {
+    for (int n = 0; n < 4; n++) {
         setUp();
         set(TMOD, timers[n].mode);
         set(TCON, timers[n].run);
+        for (int pin = 0; pin < 32; pin++) {
+            if (pin != 24 + timers[n].bit) {
+                fall(pin / 8, pin % 8, 50); /* no matter to it */
+            }
+        }
         for (unsigned i = 0; i < 7; i++) {
             fall(3, timers[n].bit, 100 + 20 * i);
         }
@@ -257,7 +280,7 @@ static void test_that_timer_2_reloads(void)
 /* Intel: with EXEN2 a fall of T2EX reloads, too, and sets EXF2; without it does nothing. */
 static void test_that_t2ex_reloads(void)
 {
-    set_t2(0x1000, 0x2000);
+    set_t2(0x1000, 0x2345);
     set(T2CON, TR2);
     fall(1, 1, 10);
     mcs52_run(chip, 20);
@@ -265,7 +288,7 @@ static void test_that_t2ex_reloads(void)
     set(T2CON, TR2 | EXEN2);
     fall(1, 1, 30);
     mcs52_run(chip, 30);
-    TEST_ASSERT_EQUAL_HEX16(0x2000, t2());
+    TEST_ASSERT_EQUAL_HEX16(0x2345, t2());
     TEST_ASSERT_EQUAL_HEX8(EXF2, sfr(T2CON) & (EXF2 | TF2));
 }
 
@@ -342,14 +365,32 @@ static void test_that_timer_2_counts_down_with_t2ex_low(void)
     TEST_ASSERT_EQUAL_HEX8(TF2, sfr(T2CON) & (TF2 | EXF2));
 }
 
+/* Nobody looks in between: T2EX falls in cycle 50 and rises in cycle 80, so of the cycles 0 to 99 70
+ * count up and 30 down. */
+static void test_that_timer_2_turns_in_the_cycle_of_t2ex(void)
+{
+    make_chip(MCS52_AT89S52);
+    set(T2MOD, DCEN);
+    set_t2(0x1000, 0x0000);
+    set(T2CON, TR2);
+    mcs52_set_pin(chip, 50, 1, 1, false);
+    mcs52_set_pin(chip, 80, 1, 1, true);
+    mcs52_run(chip, 99);
+    TEST_ASSERT_EQUAL_HEX16(0x1000 + 70 - 30, t2());
+}
+
 /* Intel: as a baud rate generator it sets no TF2; T2EX is then an interrupt pin that reloads
  * nothing. It counts every state. */
 static void test_that_a_baud_generator_sets_no_flag(void)
 {
     set_t2(0xFF00, 0xFF00);
+    set(TMOD, 0x11);
+    set(TCON, TR0 | TR1);
     set(T2CON, TR2 | RCLK | EXEN2);
     fall(1, 1, 20);
     mcs52_run(chip, 19);
+    TEST_ASSERT_EQUAL_HEX8(20, sfr(TL0)); /* the others count cycles */
+    TEST_ASSERT_EQUAL_HEX8(20, sfr(TL1));
     TEST_ASSERT_EQUAL_HEX16(0xFF00 + 6 * 20, t2());
     mcs52_run(chip, 20);
     TEST_ASSERT_EQUAL_HEX16(0xFF00 + 6 * 21, t2());
@@ -403,6 +444,7 @@ int main(void)
     RUN_TEST(test_that_mode_2_overflows_every_period);
     RUN_TEST(test_that_mode_3_makes_two_timers_of_timer_0);
     RUN_TEST(test_that_either_half_may_come_first);
+    RUN_TEST(test_that_the_second_half_sets_tf1_in_its_cycle);
     RUN_TEST(test_that_timer_1_runs_alone_beside_mode_3);
     RUN_TEST(test_that_timer_1_stands_in_its_mode_3);
     RUN_TEST(test_that_a_gated_timer_measures_a_pulse);
@@ -415,6 +457,7 @@ int main(void)
     RUN_TEST(test_that_timer_2_counts_falls);
     RUN_TEST(test_that_timer_2_counts_up_with_t2ex_high);
     RUN_TEST(test_that_timer_2_counts_down_with_t2ex_low);
+    RUN_TEST(test_that_timer_2_turns_in_the_cycle_of_t2ex);
     RUN_TEST(test_that_a_baud_generator_sets_no_flag);
     RUN_TEST(test_that_timer_2_puts_out_a_clock);
     RUN_TEST(test_that_the_fastest_clock_is_steady);

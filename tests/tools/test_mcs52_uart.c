@@ -128,6 +128,22 @@ static void test_that_mode_0_shifts_a_byte_in(void)
     TEST_ASSERT_EQUAL_HEX8(0xFF, sfr(SBUF));
 }
 
+/* REN = 0 breaks it off, and REN = 1 begins anew. */
+static void test_that_mode_0_begins_anew(void)
+{
+    set(SCON, REN);
+    mcs52_run(chip, 5);
+    set(SCON, 0);
+    mcs52_run(chip, 100);
+    TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+    feed(100, 0x1A6 << 2, 11, 1); /* its bit 0 comes in cycle 102 */
+    LOAD(100, MOV_DIRECT, SCON, REN);
+    mcs52_run(chip, 110);
+    TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+    mcs52_run(chip, 111);
+    TEST_ASSERT_EQUAL_HEX8(RI, sfr(SCON) & RI);
+}
+
 /* --- mode 1 -------------------------------------------------------------------------------- */
 
 /* Intel: T2 as baud rate generator, oscillator / (32 * (65536 - RCAP2)): with FFD9h a bit takes
@@ -161,6 +177,181 @@ static void test_that_timer_1_gives_the_baud_rate(void)
         mcs52_run(chip, 3000);
         TEST_ASSERT_EQUAL_HEX16(0x386, frame_at(edges[0].cycle, 10, bit)); /* 1 1100 0011 0 */
         TEST_ASSERT_EQUAL_UINT64(edges[0].cycle + 10 * bit, bytes[0].cycle);
+    }
+}
+
+/* From FDh on, timer 1 overflows in the cycles 2, 5, 8, ..; with SMOD = 0 every other overflow is a
+ * tick, the second one the first: 5, 11, 17, .. A clock that starts with mode 1 rolls over at its
+ * 16th tick, and the start bit is at the pin in the cycle after. */
+static void test_that_a_frame_begins_after_sixteen_ticks(void)
+{
+    static const struct {
+        unsigned at, smod, start;
+    } cases[] = {{0, 0, 5 + 15 * 6 + 1},
+                 {0, SMOD, 2 + 15 * 3 + 1},
+                 {100, 0, 101 + 15 * 6 + 1}, /* 33 overflows are over */
+                 {103, 0, 107 + 15 * 6 + 1}, /* 34 */
+                 {101, SMOD, 101 + 15 * 3 + 1}};
+
+    for (int i = 0; i < 5; i++) {
+        setUp();
+        watch_line();
+        start_timer_1(0xFD);
+        set(PCON, cases[i].smod);
+        mcs52_run(chip, cases[i].at);
+        set(SCON, MODE_1);
+        LOAD((uint16_t)cases[i].at, MOV_DIRECT, SBUF, 0xC3);
+        mcs52_run(chip, 3000);
+        TEST_ASSERT_EQUAL_UINT64(cases[i].start, edges[0].cycle);
+    }
+}
+
+/* After a reset, too: 33 overflows are over in cycle 100, and nothing is left of them. */
+static void test_that_a_reset_begins_with_no_overflow(void)
+{
+    watch_line();
+    start_timer_1(0xFD);
+    mcs52_run(chip, 100);
+    mcs52_reset(chip);
+    mcs52_jump(chip, 0x100);
+    start_timer_1(0xFD);
+    set(SCON, MODE_1);
+    LOAD(0x100, MOV_DIRECT, SBUF, 0xC3);
+    mcs52_run(chip, 3000);
+    TEST_ASSERT_EQUAL_UINT64(100 + 5 + 15 * 6 + 1, edges[0].cycle);
+}
+
+/* The same ticks: RXD falls in cycle 100, the tick in 101 sees it, and the stop bit's third sample
+ * is the ninth tick of the tenth bit. */
+static void test_that_a_byte_is_in_with_the_stop_bits_last_sample(void)
+{
+    static const unsigned smods[] = {0, SMOD};
+
+    for (int i = 0; i < 2; i++) {
+        unsigned tick = i == 0 ? 6 : 3, in = 101 + (9 * 16 + 9) * tick;
+
+        setUp();
+        start_timer_1(0xFD);
+        set(PCON, smods[i]);
+        set(SCON, MODE_1 | REN);
+        mcs52_feed(chip, 100, 0xA7, 16 * tick);
+        mcs52_run(chip, in - 1);
+        TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+        mcs52_run(chip, in);
+        TEST_ASSERT_EQUAL_HEX8(RI, sfr(SCON) & RI);
+        TEST_ASSERT_EQUAL_HEX8(0xA7, sfr(SBUF));
+    }
+}
+
+/* Intel: a bit is what two of the samples at its ticks 7, 8 and 9 say. Bit 0 is low but in the
+ * cycles from the first to before the last of each case. */
+static void test_that_two_of_three_samples_decide(void)
+{
+    static const struct {
+        unsigned from, to;
+        bool bit;
+    } cases[] = {{6, 7, false},  {6, 8, false}, {7, 9, true},   {8, 10, true},
+                 {9, 11, false}, {0, 7, false}, {10, 16, false}};
+    const unsigned start = 101 + 16 * 6; /* the tick at which bit 0 begins */
+
+    for (int i = 0; i < 7; i++) {
+        setUp();
+        start_timer_1(0xFD);
+        set(SCON, MODE_1 | REN);
+        mcs52_set_pin(chip, 100, 3, 0, false);
+        mcs52_set_pin(chip, start + 6 * cases[i].from, 3, 0, true);
+        mcs52_set_pin(chip, start + 6 * cases[i].to, 3, 0, false);
+        mcs52_set_pin(chip, 100 + 9 * 96, 3, 0, true);
+        mcs52_run(chip, 1100);
+        TEST_ASSERT_EQUAL_HEX8(RI, sfr(SCON) & RI);
+        TEST_ASSERT_EQUAL_HEX8(cases[i].bit, sfr(SBUF));
+    }
+}
+
+/* SMOD is set in cycle 144, eight ticks after the roll-over in 95: the other eight come in 146, 149,
+ * .., 167. */
+static void test_that_smod_halves_the_rest_of_a_bit(void)
+{
+    watch_line();
+    start_timer_1(0xFD);
+    set(SCON, MODE_1);
+    LOAD(0, MOV_DIRECT, SBUF, 0x55);
+    mcs52_run(chip, 144);
+    set(PCON, SMOD);
+    mcs52_run(chip, 3000);
+    TEST_ASSERT_EQUAL_UINT64(96, edges[0].cycle);
+    for (unsigned i = 1; i < 10; i++) {
+        TEST_ASSERT_EQUAL_UINT64(168 + 48 * (i - 1), edges[i].cycle);
+    }
+}
+
+/* Writes to SCON that leave the mode as it is, one a cycle: CPL TB8. */
+static void test_that_writes_to_scon_do_not_disturb_frames(void)
+{
+    watch_line();
+    for (unsigned at = 0; at < 0x1000; at += 2) {
+        LOAD((uint16_t)at, CPL, 0x9B);
+    }
+    LOAD(0, MOV_DIRECT, SBUF, 0x55);
+    LOAD(3, NOP);
+    start_timer_1(0xFD);
+    set(SCON, MODE_1 | REN);
+    mcs52_feed(chip, 100, 0xA7, 96);
+    mcs52_run(chip, 1018);
+    TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+    mcs52_run(chip, 1019);
+    TEST_ASSERT_EQUAL_HEX8(RI, sfr(SCON) & RI);
+    TEST_ASSERT_EQUAL_HEX8(0xA7, sfr(SBUF));
+    mcs52_run(chip, 1100);
+    TEST_ASSERT_EQUAL_HEX16(0x2AA, frame_at(96, 10, 96));
+    TEST_ASSERT_EQUAL_UINT64(96 + 960, bytes[0].cycle);
+}
+
+/* The clock stands in the start bit, from cycle 150 on for 50,001 cycles: all later bits, sent and
+ * received, come so much later. Power-down, which INT0 ends, or an oscillator that stops. */
+static void test_that_frames_stand_still_with_the_clock(void)
+{
+    enum { STOOD = 50001 };
+    const struct mcs52_fault stop = {.kind = MCS52_CLOCK_STOP, .when = 150, .cycles = STOOD};
+
+    for (int by_fault = 0; by_fault < 2; by_fault++) {
+        unsigned bit = 1;
+
+        make_chip(MCS52_AT89S52);
+        watch_line();
+        LOAD(3, RETI);
+        mcs52_jump(chip, 0x100);
+        LOAD(0x100, MOV_DIRECT, SBUF, 0x55);
+        start_timer_1(0xFD);
+        set(TCON, TR1 | 0x01); /* INT0 by edge */
+        set(IE, 0x81);
+        set(SCON, MODE_1 | REN);
+        for (unsigned i = 0; i < 10; i++) {
+            mcs52_set_pin(chip, 100 + 96 * i + (i > 0 ? STOOD : 0), 3, 0, 0x34E >> i & 1); /* A7h */
+        }
+        if (by_fault) {
+            TEST_ASSERT_TRUE(mcs52_inject(chip, &stop));
+        } else {
+            mcs52_set_pin(chip, 150 + STOOD, 3, 2, false);
+        }
+        mcs52_run(chip, 150);
+        if (!by_fault) {
+            set(PCON, 0x02);
+        }
+        edge_count = 0;
+        mcs52_run(chip, 1018 + STOOD);
+        TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+        mcs52_run(chip, 1019 + STOOD);
+        TEST_ASSERT_EQUAL_HEX8(RI, sfr(SCON) & RI);
+        TEST_ASSERT_EQUAL_HEX8(0xA7, sfr(SBUF));
+        mcs52_run(chip, 1100 + STOOD);
+        for (int i = 0; i < edge_count; i++) {
+            if (edges[i].pin == TXD) {
+                TEST_ASSERT_EQUAL_UINT64(96 + 96 * bit++ + STOOD, edges[i].cycle);
+            }
+        }
+        TEST_ASSERT_EQUAL(10, bit);
+        TEST_ASSERT_EQUAL_UINT64(96 + 960 + STOOD, bytes[0].cycle);
     }
 }
 
@@ -297,6 +488,25 @@ static void test_that_ren_and_the_mode_end_a_frame(void)
     TEST_ASSERT_TRUE(mcs52_pin(chip, 3, 1));
 }
 
+/* REN = 0 between the samples of a bit: the next byte's samples start at its own first one. Samples
+ * of bit 0, which is high, are in the cycles 239, 245 and 251. */
+static void test_that_samples_of_a_broken_frame_are_forgotten(void)
+{
+    for (unsigned end = 236; end < 256; end++) {
+        setUp();
+        start_timer_1(0xFD);
+        set(SCON, MODE_1 | REN);
+        mcs52_feed(chip, 100, 0xFF, 96);
+        mcs52_run(chip, end);
+        set(SCON, MODE_1);
+        set(SCON, MODE_1 | REN);
+        mcs52_feed(chip, 400, 0x5A, 96);
+        mcs52_run(chip, 400 + 960);
+        TEST_ASSERT_EQUAL_HEX8(RI, sfr(SCON) & RI);
+        TEST_ASSERT_EQUAL_HEX8(0x5A, sfr(SBUF));
+    }
+}
+
 /* Each clock has its own source: with RCLK alone timer 2 receives and timer 1 sends. */
 static void test_that_the_two_clocks_are_apart(void)
 {
@@ -366,6 +576,42 @@ static void test_that_modes_2_and_3_receive_nine_bits(void)
     }
 }
 
+/* Intel, modes 2 and 3: the receiver looks for a start bit again a bit after the ninth one. By timer
+ * 1 as above: the ninth bit's last sample is in cycle 1019, so it looks from cycle 1115 on. A fall
+ * in that cycle, with no other after it, is no start bit; one in the next cycle is. */
+static void test_that_a_receiver_waits_for_the_stop_bit(void)
+{
+    for (unsigned fall = 1115; fall <= 1116; fall++) {
+        setUp();
+        start_timer_1(0xFD);
+        set(SCON, MODE_3 | REN);
+        feed(100, 0x400 | 0x3FE, 11, 96);
+        mcs52_run(chip, 1018);
+        TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+        mcs52_run(chip, 1019);
+        TEST_ASSERT_EQUAL_HEX8(RI | RB8, sfr(SCON) & (RI | RB8));
+        mcs52_run(chip, 1020 + 10 * (fall - 1115)); /* a write meanwhile is no matter */
+        set(SCON, MODE_3 | REN);
+        feed(fall, 0x400, 11, 96);
+        mcs52_run(chip, 1121 + 153 * 6 - 1);
+        TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+        mcs52_run(chip, 1121 + 153 * 6);
+        TEST_ASSERT_EQUAL_HEX8(fall == 1115 ? 0 : RI, sfr(SCON) & (RI | RB8));
+    }
+}
+
+/* Mode 2's clocks start with it: ticks in every other state from cycle 1000 on, the 16th in the
+ * state 6030, which is in cycle 1005. */
+static void test_that_mode_2_starts_its_clock(void)
+{
+    watch_line();
+    mcs52_run(chip, 1000);
+    set(SCON, MODE_2);
+    LOAD(1000, MOV_DIRECT, SBUF, 0x53);
+    mcs52_run(chip, 1200);
+    TEST_ASSERT_EQUAL_UINT64(1006, edges[0].cycle);
+}
+
 /* A program that changes another register in each cycle: CPL EXF2, in T2CON. */
 static void load_writes(void)
 {
@@ -421,9 +667,33 @@ static void test_that_a_counter_gives_the_baud_rate(void)
         LOAD(0, NOP, MOV_DIRECT, SBUF, 0x55);
         mcs52_run(chip, 10);
         pulse(3, 5, 100, 12 * falls);
+        /* The last of that many falls is counted a cycle after it was seen. */
+        TEST_ASSERT_EQUAL_UINT64(100 + 4 * (falls - 1) + 2, edges[0].cycle);
         TEST_ASSERT_EQUAL_HEX16(0x2AA, frame_at(edges[0].cycle, 10, 4 * falls));
         TEST_ASSERT_EQUAL(1, byte_count);
     }
+}
+
+/* The same with timer 2; falls of timer 1's pin are no ticks. */
+static void test_that_timer_2_as_a_counter_sends(void)
+{
+    watch_line();
+    set(TMOD, 0x60);
+    set(TH1, 0xFF);
+    set(TL1, 0xFF);
+    set(TCON, TR1);
+    set(RCAP2H, 0xFF);
+    set(RCAP2L, 0xFF);
+    set(TH2, 0xFF);
+    set(TL2, 0xFF);
+    set(T2CON, BOTH_BY_T2 | TR2 | CT2);
+    set(SCON, MODE_1);
+    LOAD(0, MOV_DIRECT, SBUF, 0x55);
+    pulse(3, 5, 100, 21); /* an odd count: with SMOD = 0 no tick by timer 1 */
+    pulse(1, 0, 200, 12 * 16);
+    TEST_ASSERT_EQUAL_UINT64(200 + 4 * 15 + 2, edges[0].cycle);
+    TEST_ASSERT_EQUAL_HEX16(0x2AA, frame_at(edges[0].cycle, 10, 64));
+    TEST_ASSERT_EQUAL(1, byte_count);
 }
 
 /* The same with timer 2: 16 falls a bit; the bits that come in are RXD's. A fall of the pins of
@@ -433,6 +703,7 @@ static void test_that_timer_2_as_a_counter_receives(void)
     static const uint8_t levels[] = {0, 1, 0, 1, 1, 0, 0, 1, 0, 1}; /* 4Dh */
     uint64_t at = 100;
 
+    watch_line();
     set(TMOD, 0x66);
     set(TH0, 0xFF);
     set(TL0, 0xFF);
@@ -450,13 +721,78 @@ static void test_that_timer_2_as_a_counter_receives(void)
         mcs52_set_pin(chip, at, 3, 0, levels[i]);
         at = pulse(3, 4, at, 3);
         at = pulse(3, 5, at, 3);
-        at = pulse(1, 0, at, 16);
+        at = pulse(1, 0, at, 9);
+        TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+        at = pulse(1, 0, at, 1); /* the third sample: the first fall has seen the start bit */
+        TEST_ASSERT_EQUAL_HEX8(i == 9 ? RI | RB8 : 0, sfr(SCON) & (RI | RB8));
+        at = pulse(1, 0, at, 6);
     }
-    TEST_ASSERT_EQUAL_HEX8(RI | RB8, sfr(SCON) & (RI | RB8));
     TEST_ASSERT_EQUAL_HEX8(0x4D, sfr(SBUF));
+    for (int i = 0; i < edge_count; i++) { /* nothing was sent */
+        TEST_ASSERT_EQUAL(RXD, edges[i].pin);
+    }
+    mcs52_run(chip, at);
+    edge_count = 0;
     set(SCON, MODE_2);
-    LOAD((uint16_t)(mcs52_cycles(chip)), NOP, MOV_DIRECT, SBUF, 0x55);
+    LOAD((uint16_t)at, MOV_DIRECT, SBUF, 0x55);
     pulse(1, 0, at, 20);
+    TEST_ASSERT_EQUAL_UINT64(at + 3, edges[0].cycle);
+    TEST_ASSERT_EQUAL_HEX16(0x400 | 0x55 << 1, frame_at(at + 3, 11, 8 / 3.0));
+}
+
+/* Two frames in mode 3, of 16 falls a bit, with a second stop bit between them. */
+static void test_that_timer_2_as_a_counter_receives_nine_bits(void)
+{
+    static const unsigned frames[] = {0x400 | 0x4D << 1, 0x600 | 0xB2 << 1};
+    uint64_t at = 100;
+
+    set(RCAP2H, 0xFF);
+    set(RCAP2L, 0xFF);
+    set(TH2, 0xFF);
+    set(TL2, 0xFF);
+    set(T2CON, BOTH_BY_T2 | TR2 | CT2);
+    for (int k = 0; k < 2; k++) {
+        set(SCON, MODE_3 | REN);
+        for (int i = 0; i < 12; i++) {
+            mcs52_set_pin(chip, at, 3, 0, (0x800 | frames[k]) >> i & 1);
+            at = pulse(1, 0, at, 16);
+        }
+        TEST_ASSERT_EQUAL_HEX8(k == 0 ? RI : RI | RB8, sfr(SCON) & (RI | RB8));
+        TEST_ASSERT_EQUAL_HEX8(k == 0 ? 0x4D : 0xB2, sfr(SBUF));
+    }
+}
+
+/* Mode 0 has no such clock: a byte that goes out and one that comes in, at the line's own level, take
+ * their ten cycles whatever timer 2's counter does, in whatever phase it left the clocks. */
+static void test_that_a_counter_leaves_mode_0_alone(void)
+{
+    for (int falls = 0; falls < 16; falls++) {
+        uint64_t at;
+
+        setUp();
+        set(RCAP2H, 0xFF);
+        set(RCAP2L, 0xFF);
+        set(TH2, 0xFF);
+        set(TL2, 0xFF);
+        set(T2CON, BOTH_BY_T2 | TR2 | CT2);
+        set(SCON, MODE_1);
+        at = pulse(1, 0, 100, falls);
+        mcs52_run(chip, at);
+        for (unsigned i = 0; i < 12; i++) {
+            mcs52_set_pin(chip, at + i, 1, 0, i & 1);
+        }
+        LOAD((uint16_t)at, MOV_DIRECT, SBUF, 0xFF);
+        set(SCON, REN);
+        mcs52_run(chip, at + 8);
+        TEST_ASSERT_EQUAL_HEX8(REN, sfr(SCON));
+        mcs52_run(chip, at + 9);
+        TEST_ASSERT_EQUAL_HEX8(REN | RI, sfr(SCON));
+        mcs52_run(chip, at + 10);
+        TEST_ASSERT_EQUAL_HEX8(REN | RI, sfr(SCON));
+        mcs52_run(chip, at + 11);
+        TEST_ASSERT_EQUAL_HEX8(REN | RI | TI, sfr(SCON));
+        TEST_ASSERT_EQUAL_UINT64(at + 11, bytes[0].cycle);
+    }
 }
 
 int main(void)
@@ -464,8 +800,16 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_that_mode_0_shifts_a_byte_out);
     RUN_TEST(test_that_mode_0_shifts_a_byte_in);
+    RUN_TEST(test_that_mode_0_begins_anew);
     RUN_TEST(test_that_a_byte_leaves_bit_by_bit);
     RUN_TEST(test_that_timer_1_gives_the_baud_rate);
+    RUN_TEST(test_that_a_frame_begins_after_sixteen_ticks);
+    RUN_TEST(test_that_a_reset_begins_with_no_overflow);
+    RUN_TEST(test_that_a_byte_is_in_with_the_stop_bits_last_sample);
+    RUN_TEST(test_that_two_of_three_samples_decide);
+    RUN_TEST(test_that_smod_halves_the_rest_of_a_bit);
+    RUN_TEST(test_that_writes_to_scon_do_not_disturb_frames);
+    RUN_TEST(test_that_frames_stand_still_with_the_clock);
     RUN_TEST(test_that_a_stopped_timer_sends_nothing);
     RUN_TEST(test_that_a_second_byte_waits_for_the_stop_bit);
     RUN_TEST(test_that_a_byte_written_too_early_breaks_a_frame_off);
@@ -474,11 +818,17 @@ int main(void)
     RUN_TEST(test_that_sm2_wants_a_stop_bit);
     RUN_TEST(test_that_spikes_are_no_start_bits);
     RUN_TEST(test_that_ren_and_the_mode_end_a_frame);
+    RUN_TEST(test_that_samples_of_a_broken_frame_are_forgotten);
     RUN_TEST(test_that_the_two_clocks_are_apart);
     RUN_TEST(test_that_mode_2_sends_nine_bits);
     RUN_TEST(test_that_modes_2_and_3_receive_nine_bits);
+    RUN_TEST(test_that_a_receiver_waits_for_the_stop_bit);
+    RUN_TEST(test_that_mode_2_starts_its_clock);
     RUN_TEST(test_that_other_writes_do_not_disturb_a_frame);
     RUN_TEST(test_that_a_counter_gives_the_baud_rate);
+    RUN_TEST(test_that_timer_2_as_a_counter_sends);
     RUN_TEST(test_that_timer_2_as_a_counter_receives);
+    RUN_TEST(test_that_timer_2_as_a_counter_receives_nine_bits);
+    RUN_TEST(test_that_a_counter_leaves_mode_0_alone);
     return UNITY_END();
 }

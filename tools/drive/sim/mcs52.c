@@ -38,23 +38,6 @@ uint8_t mcs52_read(struct mcs52 *chip, uint8_t address, uint64_t cycle)
     return chip->sfr[address];
 }
 
-/* By level, IE0 and IE1 are the pins. */
-static void follow_pins(struct mcs52 *chip)
-{
-    static const struct {
-        uint8_t pin, type, flag;
-    } inputs[] = {{P3_INT0, TCON_IT0, TCON_IE0}, {P3_INT1, TCON_IT1, TCON_IE1}};
-
-    for (int i = 0; i < 2; i++) {
-        if (!(chip->sfr[TCON] & inputs[i].type)) {
-            bool is_low = !(chip->pins[3] & inputs[i].pin);
-            uint8_t others = chip->sfr[TCON] & (uint8_t)~inputs[i].flag;
-
-            chip->sfr[TCON] = (uint8_t)(others | (is_low ? inputs[i].flag : 0));
-        }
-    }
-}
-
 static void settle_power(struct mcs52 *chip, uint64_t end)
 {
     if (chip->sfr[PCON] & PCON_PD) {
@@ -76,8 +59,7 @@ static void settle(struct mcs52 *chip, uint8_t address, uint8_t value, uint64_t 
     chip->sfr[address] = value;
     switch (address) {
     case TCON:
-        follow_pins(chip);
-        mcs52_requests_of(chip, TCON, end);
+        mcs52_pins_follow(chip, end);
         break;
     case SCON:
         mcs52_requests_of(chip, SCON, end);
@@ -135,25 +117,16 @@ uint8_t mcs52_sfr(struct mcs52 *chip, uint8_t address)
 
 void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value)
 {
-    switch (address) {
-    case ACC:
+    bool acts = address == SBUF || address == WDTRST || address == WDT_CONTR;
+
+    if (address == ACC) {
         chip->a = value;
-        break;
-    case PSW:
+    } else if (address == PSW) {
         chip->psw = value & (uint8_t)~PSW_P;
-        break;
-    case SBUF:
-    case WDTRST:
-    case WDT_CONTR:
+    } else if (mcs52_special[address] != 0 && !acts) {
+        mcs52_write(chip, address, value, chip->now);
+    } else {
         chip->sfr[address] = value;
-        break;
-    default:
-        if (mcs52_special[address] != 0) {
-            mcs52_write(chip, address, value, chip->now);
-        } else {
-            chip->sfr[address] = value;
-        }
-        break;
     }
 }
 
@@ -164,7 +137,8 @@ void mcs52_jump(struct mcs52 *chip, uint16_t pc)
 
 /* --- reset -------------------------------------------------------------------------------- */
 
-/* [I], reset values; RAM, SBUF and what only power clears stay. */
+/* [I], reset values; RAM, SBUF and what only power clears stay. While the clock stands, it stands
+ * on. */
 void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause)
 {
     uint8_t pof = chip->sfr[PCON] & PCON_POF, flag = chip->sfr[WDT_CONTR] & WDT_FLAG;
@@ -183,12 +157,14 @@ void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause)
     chip->cause = cause;
     chip->pc = 0;
     chip->a = chip->psw = 0;
-    chip->idle = chip->power_down = chip->poll = chip->bitten = false;
+    chip->idle = chip->poll = chip->bitten = false;
+    chip->power_down = chip->clock_stands;
+    chip->slept_from = chip->now;
     chip->in_service = 0;
     chip->held = NEVER;
-    chip->watchdog_last = 0;
+    chip->watchdog_half = false;
     chip->watchdog_left = NEVER;
-    chip->t1_overflows = 0;
+    chip->t1_is_odd = false;
     for (int source = 0; source < SOURCES; source++) {
         chip->on[source] = chip->off[source] = NEVER;
     }
@@ -197,18 +173,11 @@ void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause)
     }
     chip->due[EVENT_PIN] = pin_due;
     chip->due[EVENT_FAULT] = fault_due;
-    for (int n = 0; n < 3; n++) {
-        chip->timer_at[n] = chip->now;
-    }
+    mcs52_pins_release(chip);
     chip->tx_clock.phase = chip->rx_clock.phase = 0;
     mcs52_uart_plan(chip, chip->now);
     mcs52_uart_break(chip, chip->now);
-    for (int port = 0; port < 4; port++) {
-        chip->sfr[P0 + 16 * port] = chip->alternate[port] = 0xFF;
-        mcs52_pins_update(chip, port, chip->now);
-    }
-    follow_pins(chip);
-    mcs52_requests_of(chip, TCON, chip->now);
+    mcs52_pins_follow(chip, chip->now);
     mcs52_attend(chip);
 }
 
@@ -238,7 +207,6 @@ struct mcs52 *mcs52_create(enum mcs52_part part, const struct mcs52_outside *out
     chip->xdata_watch = MCS52_XDATA_BYTES;
     chip->due[EVENT_PIN] = chip->due[EVENT_FAULT] = NEVER;
     memset(chip->outside_pins, 0xFF, sizeof chip->outside_pins);
-    memset(chip->alternate, 0xFF, sizeof chip->alternate);
     memset(chip->pins, 0xFF, sizeof chip->pins);
     mcs52_restart(chip, MCS52_POWER);
     return chip;

@@ -28,7 +28,7 @@ INLINE void take(struct core *x, struct mcs52 *chip)
     x->pc = chip->pc;
     x->a = chip->a;
     x->psw = chip->psw;
-    x->r = chip->ram + (x->psw & PSW_BANK);
+    x->r = mcs52_bank(chip);
 }
 
 INLINE void give(const struct core *x)

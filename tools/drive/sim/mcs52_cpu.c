@@ -176,7 +176,7 @@ INLINE void instruction(struct core *x)
         x->pc += 1, x->a = (uint8_t)(x->a >> 1 | x->a << 7);
         break;
     case 0x13: /* RRC */
-        x->pc += 1, value = (uint8_t)(x->a >> 1 | (x->psw & PSW_CY));
+        x->pc += 1, value = (uint8_t)(x->a >> 1 | carry(x) << 7);
         set_carry(x, x->a & 1);
         x->a = value;
         break;

@@ -3,6 +3,8 @@
  * stops, more interrupts than there should be. */
 #include "mcs52_inside.h"
 
+#include <string.h>
+
 /* --- pins --------------------------------------------------------------------------------- */
 
 static int port_of(uint8_t pin)
@@ -41,10 +43,7 @@ static void lose_power(struct mcs52 *chip, uint64_t cycles)
 {
     uint64_t noise = chip->now;
 
-    for (int port = 0; port < 4; port++) {
-        chip->sfr[P0 + 16 * port] = chip->alternate[port] = 0xFF;
-        mcs52_pins_update(chip, port, chip->now);
-    }
+    mcs52_pins_release(chip);
     for (int i = 0; i < MCS52_RAM_BYTES; i++) {
         noise = noise * 6364136223846793005u + 1442695040888963407u;
         chip->ram[i] = (uint8_t)(noise >> 56);
@@ -67,7 +66,6 @@ static void start_clock(struct mcs52 *chip)
     if (chip->clock_stands) {
         chip->clock_stands = false;
         mcs52_wake(chip, chip->now);
-        mcs52_poke(chip, TCON, chip->sfr[TCON]); /* IE0 and IE1 follow the pins as they are now */
     }
 }
 
@@ -107,4 +105,15 @@ uint64_t mcs52_upset(struct mcs52 *chip, const struct mcs52_fault *fault)
         short_pins(chip, fault, !over);
         return over ? NEVER : end;
     }
+}
+
+void mcs52_calm(struct mcs52 *chip)
+{
+    memset(chip->shorted_low, 0, sizeof chip->shorted_low);
+    memset(chip->shorted_high, 0, sizeof chip->shorted_high);
+    memset(chip->tied, 0, sizeof chip->tied);
+    for (int port = 0; port < 4; port++) {
+        mcs52_pins_update(chip, port, chip->now);
+    }
+    start_clock(chip);
 }

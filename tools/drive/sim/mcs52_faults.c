@@ -3,8 +3,6 @@
  */
 #include "mcs52_inside.h"
 
-#include <string.h>
-
 static unsigned bits_at(const struct mcs52_fault *fault)
 {
     return fault->place == MCS52_IN_PC ? 16 : 8;
@@ -18,7 +16,7 @@ static unsigned read_place(struct mcs52 *chip, const struct mcs52_fault *fault)
     case MCS52_IN_SFR:
         return mcs52_sfr(chip, (uint8_t)fault->address);
     case MCS52_IN_REGISTER:
-        return chip->ram[(chip->psw & PSW_BANK) + fault->address];
+        return mcs52_bank(chip)[fault->address];
     case MCS52_IN_PC:
         return chip->pc;
     default:
@@ -36,7 +34,7 @@ static void write_place(struct mcs52 *chip, const struct mcs52_fault *fault, uns
         mcs52_poke(chip, (uint8_t)fault->address, (uint8_t)value);
         break;
     case MCS52_IN_REGISTER:
-        chip->ram[(chip->psw & PSW_BANK) + fault->address] = (uint8_t)value;
+        mcs52_bank(chip)[fault->address] = (uint8_t)value;
         break;
     case MCS52_IN_PC:
         chip->pc = (uint16_t)value;
@@ -68,7 +66,7 @@ static void plan(struct mcs52 *chip)
 {
     uint64_t first = NEVER;
 
-    chip->stuck = chip->by_count = false;
+    chip->probes_faults = false;
     for (int i = 0; i < chip->fault_count; i++) {
         const struct mcs52_fault *fault = &chip->faults[i];
 
@@ -76,13 +74,10 @@ static void plan(struct mcs52 *chip)
             first = chip->fault_next[i] < first ? chip->fault_next[i] : first;
             continue;
         }
-        chip->stuck = chip->stuck || fault->kind != MCS52_FLIP;
-        if (chip->fault_done[i]) {
-            continue;
+        if (fault->kind != MCS52_FLIP || (fault->counts_instructions && !chip->fault_done[i])) {
+            chip->probes_faults = true;
         }
-        if (fault->counts_instructions) {
-            chip->by_count = true;
-        } else if (fault->when < first) {
+        if (!chip->fault_done[i] && !fault->counts_instructions && fault->when < first) {
             first = fault->when;
         }
     }
@@ -114,7 +109,7 @@ void mcs52_faults_strike(struct mcs52 *chip)
 
 static bool is_pin(unsigned address)
 {
-    return address >= P0 && address <= P3 + 7 && (address & 8) == 0;
+    return (address & ~0x37u) == P0; /* bits 5 and 4 are the port, 2 to 0 its bit */
 }
 
 /* A fault that is not of a bit makes sense. */
@@ -125,8 +120,7 @@ static bool is_possible(const struct mcs52_fault *fault)
     case MCS52_PIN_HIGH:
         return is_pin(fault->address);
     case MCS52_PINS_TIED:
-        return is_pin(fault->address) && is_pin(fault->other) &&
-               ((fault->address ^ fault->other) & 0xF8) == 0;
+        return is_pin(fault->address) && ((fault->address ^ fault->other) & 0xF8) == 0;
     default:
         return fault->cycles > 0;
     }
@@ -142,7 +136,7 @@ static bool exists(const struct mcs52_fault *fault)
                      [MCS52_IN_PC] = {0, 0xFFFF},
                      [MCS52_IN_XDATA] = {0, 0xFFFF}};
 
-    return fault->bit >= 0 && (unsigned)fault->bit < bits_at(fault) &&
+    return (unsigned)fault->bit < bits_at(fault) &&
            fault->address >= addresses[fault->place].first &&
            fault->address <= addresses[fault->place].last;
 }
@@ -163,11 +157,6 @@ bool mcs52_inject(struct mcs52 *chip, const struct mcs52_fault *fault)
 void mcs52_heal(struct mcs52 *chip)
 {
     chip->fault_count = 0;
-    memset(chip->shorted_low, 0, sizeof chip->shorted_low);
-    memset(chip->shorted_high, 0, sizeof chip->shorted_high);
-    memset(chip->tied, 0, sizeof chip->tied);
-    for (int port = 0; port < 4; port++) {
-        mcs52_pins_update(chip, port, chip->now);
-    }
+    mcs52_calm(chip);
     plan(chip);
 }

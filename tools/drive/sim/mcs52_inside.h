@@ -115,7 +115,7 @@ enum event {
     EVENT_FAULT,
     EVENTS
 };
-#define NEVER (UINT64_MAX / 2) /* some cycles after it are still no wrap */
+static const uint64_t NEVER = UINT64_MAX / 2; /* some cycles after it are still no wrap */
 
 /* Interrupt sources in the order of [I]'s polling sequence; bit N of IE and IP belongs to source N.
  */
@@ -160,7 +160,7 @@ struct mcs52 {
     bool poll;          /* a request may be waiting */
     /* timers: their registers are as of the begin of cycle timer_at */
     uint64_t timer_at[3];
-    uint64_t t1_overflows;
+    bool t1_is_odd; /* the count of its overflows */
     /* the serial port */
     struct baud tx_clock, rx_clock;
     uint16_t tx_bits; /* the frame, start bit first */
@@ -176,7 +176,7 @@ struct mcs52 {
     uint16_t rx_bits;    /* shifted in from the left */
     /* the watchdog */
     uint64_t watchdog_left; /* cycles, while it stands */
-    uint8_t watchdog_last;  /* the byte last written to WDTRST */
+    bool watchdog_half;     /* the byte last written to WDTRST was 1Eh */
     bool bitten;            /* it resets the chip at the end of this instruction */
     /* pins */
     uint8_t outside_pins[4], alternate[4], pins[4], watched[4];
@@ -193,8 +193,7 @@ struct mcs52 {
     bool fault_done[MCS52_FAULTS];
     uint64_t fault_next[MCS52_FAULTS]; /* of one that is not of a bit: what it does next */
     int fault_count;
-    bool stuck;           /* a stuck bit is in place */
-    bool by_count;        /* a fault waits for an instruction count */
+    bool probes_faults;   /* one sticks, or waits for an instruction count */
     uint32_t xdata_watch; /* 10000h: none */
     enum mcs52_part part;
     struct mcs52_outside outside;
@@ -207,6 +206,12 @@ struct mcs52 {
  * timer counts in it. A write of the value that it has leaves the peripherals as they are. */
 enum { READ_SPECIAL = 1, WRITE_SPECIAL = 2, IS_PORT = 4, IS_COUNT = 8, IS_SETTING = 16 };
 extern const uint8_t mcs52_special[256];
+
+/* R0..R7 of the bank in use. */
+static inline uint8_t *mcs52_bank(struct mcs52 *chip)
+{
+    return chip->ram + (chip->psw & PSW_BANK);
+}
 
 /* mcs52.c: reset; a special register read in cycle CYCLE; written by an instruction that ends at
  * END.
@@ -245,7 +250,6 @@ void mcs52_timer_count(struct mcs52 *chip, int n, uint64_t cycle);
 void mcs52_timer2_pin(struct mcs52 *chip, uint64_t cycle);
 unsigned mcs52_timer_mode(const struct mcs52 *chip, int n);
 bool mcs52_timer_counts_cycles(const struct mcs52 *chip, int n);
-unsigned mcs52_timer2_rate(const struct mcs52 *chip);
 unsigned mcs52_timer_distance(const struct mcs52 *chip, int n);
 unsigned mcs52_timer_period(const struct mcs52 *chip, int n);
 
@@ -261,8 +265,10 @@ void mcs52_uart_tx(struct mcs52 *chip, uint64_t cycle);
 void mcs52_uart_rx(struct mcs52 *chip, uint64_t cycle);
 void mcs52_uart_break(struct mcs52 *chip, uint64_t cycle);
 
-/* mcs52_ports.c */
+/* mcs52_ports.c: by level, IE0 and IE1 are the pins: they become so in CYCLE. */
+void mcs52_pins_follow(struct mcs52 *chip, uint64_t cycle);
 void mcs52_pins_update(struct mcs52 *chip, int port, uint64_t cycle);
+void mcs52_pins_release(struct mcs52 *chip); /* latches and alternate functions are high */
 void mcs52_pins_event(struct mcs52 *chip, uint64_t cycle);
 bool mcs52_pins_wake(const struct mcs52 *chip);
 void mcs52_alternate(struct mcs52 *chip, int port, uint8_t mask, bool level, uint64_t cycle);
@@ -274,8 +280,9 @@ void mcs52_watchdog_go_on(struct mcs52 *chip, uint64_t end);
 void mcs52_watchdog_bite(struct mcs52 *chip);
 
 /* mcs52_electric.c: a fault that is not of a bit begins, goes on or ends now. Returns when it wants
- * to be called again; NEVER: it is over. */
+ * to be called again; NEVER: it is over. mcs52_calm ends all that have begun. */
 uint64_t mcs52_upset(struct mcs52 *chip, const struct mcs52_fault *fault);
+void mcs52_calm(struct mcs52 *chip);
 
 /* mcs52_faults.c */
 void mcs52_faults_strike(struct mcs52 *chip);

@@ -27,16 +27,19 @@ static void report(struct mcs52 *chip, int port, uint8_t changed, uint64_t cycle
 
 /* --- what pins do ------------------------------------------------------------------------- */
 
-/* INT0 or INT1 has changed: by edge, its fall sets the flag; by level, the flag follows the pin. */
-static void interrupt_pin(struct mcs52 *chip, uint8_t pin, uint8_t type, uint8_t flag,
-                          uint64_t cycle)
+void mcs52_pins_follow(struct mcs52 *chip, uint64_t cycle)
 {
-    bool is_low = !(chip->pins[3] & pin);
+    static const struct {
+        uint8_t pin, type, flag;
+    } inputs[] = {{P3_INT0, TCON_IT0, TCON_IE0}, {P3_INT1, TCON_IT1, TCON_IE1}};
 
-    if (is_low) {
-        chip->sfr[TCON] |= flag;
-    } else if (!(chip->sfr[TCON] & type)) {
-        chip->sfr[TCON] &= (uint8_t)~flag;
+    for (int i = 0; i < 2; i++) {
+        if (!(chip->sfr[TCON] & inputs[i].type)) {
+            bool is_low = !(chip->pins[3] & inputs[i].pin);
+            uint8_t others = chip->sfr[TCON] & (uint8_t)~inputs[i].flag;
+
+            chip->sfr[TCON] = (uint8_t)(others | (is_low ? inputs[i].flag : 0));
+        }
     }
     mcs52_requests_of(chip, TCON, cycle);
 }
@@ -53,11 +56,10 @@ static void port3_changed(struct mcs52 *chip, uint8_t changed, uint64_t cycle)
 {
     uint8_t falls = changed & (uint8_t)~chip->pins[3];
 
-    if (changed & P3_INT0) {
-        interrupt_pin(chip, P3_INT0, TCON_IT0, TCON_IE0, cycle);
-    }
-    if (changed & P3_INT1) {
-        interrupt_pin(chip, P3_INT1, TCON_IT1, TCON_IE1, cycle);
+    if (changed & (P3_INT0 | P3_INT1)) {
+        chip->sfr[TCON] |= (uint8_t)((falls & P3_INT0 ? TCON_IE0 : 0) | /* by edge */
+                                     (falls & P3_INT1 ? TCON_IE1 : 0));
+        mcs52_pins_follow(chip, cycle);
     }
     if (falls & P3_T0) {
         count_fall(chip, chip->sfr[TMOD] & TMOD_CT, 0, cycle);
@@ -124,6 +126,14 @@ void mcs52_pins_update(struct mcs52 *chip, int port, uint64_t cycle)
     if (gates) {
         mcs52_timers_plan(chip);
         mcs52_uart_plan(chip, cycle);
+    }
+}
+
+void mcs52_pins_release(struct mcs52 *chip)
+{
+    for (int port = 0; port < 4; port++) {
+        chip->sfr[P0 + 16 * port] = chip->alternate[port] = 0xFF;
+        mcs52_pins_update(chip, port, chip->now);
     }
 }
 

@@ -60,7 +60,6 @@ static void happen(struct mcs52 *chip, int event, uint64_t cycle)
         break;
     default: /* the watchdog: resets at the end of the instruction */
         chip->bitten = true;
-        mcs52_attend(chip);
         break;
     }
 }
@@ -70,7 +69,7 @@ void mcs52_catch_up(struct mcs52 *chip, uint64_t through)
     for (;;) {
         int event = first_due(chip);
 
-        if (chip->due[event] == NEVER || chip->due[event] > through) {
+        if (chip->due[event] > through) {
             return;
         }
         happen(chip, event, chip->due[event]);
@@ -141,7 +140,7 @@ bool mcs52_boundary(struct mcs52 *chip)
 
 static bool is_probed(const struct mcs52 *chip)
 {
-    return chip->covered != NULL || chip->stuck || chip->by_count;
+    return chip->covered != NULL || chip->probes_faults;
 }
 
 uint64_t mcs52_run(struct mcs52 *chip, uint64_t until)
@@ -161,7 +160,6 @@ void mcs52_step(struct mcs52 *chip)
 {
     chip->until = chip->idle || chip->power_down ? chip->now + 1 : NEVER;
     chip->stop = false;
-    mcs52_attend(chip);
     mcs52_execute_probed(chip, true);
 }
 
@@ -174,7 +172,7 @@ void mcs52_stop(struct mcs52 *chip)
 /* Before each instruction of a chip that is looked at more closely. */
 void mcs52_probe(struct mcs52 *chip)
 {
-    if (chip->by_count || chip->stuck) {
+    if (chip->probes_faults) {
         mcs52_faults_strike(chip);
     }
     if (chip->covered != NULL) {
@@ -210,4 +208,5 @@ void mcs52_wake(struct mcs52 *chip, uint64_t cycle)
     mcs52_uart_shift(chip, slept);
     chip->power_down = false;
     chip->sfr[PCON] &= (uint8_t)~PCON_PD;
+    mcs52_pins_follow(chip, cycle);
 }

@@ -34,7 +34,6 @@ static void normalize(struct mcs52 *chip)
     if (chip->held != chip->now) {
         chip->held = NEVER;
     }
-    chip->t1_overflows &= 1;
     mcs52_poll(chip);
 }
 
@@ -55,7 +54,7 @@ static const struct {
               FIELD(held),
               FIELD(in_service),
               FIELD(timer_at),
-              FIELD(t1_overflows),
+              FIELD(t1_is_odd),
               FIELD(tx_clock.next_state),
               FIELD(tx_clock.period),
               FIELD(tx_clock.phase),
@@ -74,7 +73,7 @@ static const struct {
               FIELD(rx_ones),
               FIELD(rx_bits),
               FIELD(watchdog_left),
-              FIELD(watchdog_last),
+              FIELD(watchdog_half),
               FIELD(bitten),
               FIELD(outside_pins),
               FIELD(shorted_low),

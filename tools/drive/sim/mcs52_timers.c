@@ -78,10 +78,10 @@ static bool is_down(const struct mcs52 *chip)
     return is_up_down(chip) && !(chip->pins[1] & P1_T2EX);
 }
 
-/* Counts a cycle: as a generator it counts states, six a cycle. */
-unsigned mcs52_timer2_rate(const struct mcs52 *chip)
+/* Counts a cycle: as a generator timer 2 counts states, six a cycle. */
+static unsigned rate_of(const struct mcs52 *chip, int n)
 {
-    return is_generator(chip) ? 6 : 1;
+    return n == 2 && is_generator(chip) ? 6 : 1;
 }
 
 /* --- counting ----------------------------------------------------------------------------- */
@@ -160,19 +160,19 @@ static void set_flag(struct mcs52 *chip, uint8_t flag, uint64_t cycle)
     mcs52_requests_of(chip, TCON, cycle);
 }
 
-/* OVERFLOWS of timer N, the first in cycle FIRST, the last in cycle LAST. */
-static void overflow(struct mcs52 *chip, int n, uint64_t overflows, uint64_t first, uint64_t last)
+/* OVERFLOWS of timer N, the first in cycle FIRST. */
+static void overflow(struct mcs52 *chip, int n, uint64_t overflows, uint64_t first)
 {
     if (n == 0) {
         set_flag(chip, TCON_TF0, first);
     } else if (n == 1) {
-        chip->t1_overflows += overflows;
+        chip->t1_is_odd ^= overflows & 1;
         if (mcs52_timer_mode(chip, 0) != 3) {
             set_flag(chip, TCON_TF1, first);
         }
     } else if (is_generator(chip)) {
-        if (is_clock_out(chip) && (overflows & 1)) {
-            mcs52_alternate(chip, 1, P1_T2, !(chip->alternate[1] & P1_T2), last);
+        if (is_clock_out(chip) && (overflows & 1)) { /* all of one cycle: each is an event */
+            mcs52_alternate(chip, 1, P1_T2, !(chip->alternate[1] & P1_T2), first);
         }
     } else {
         chip->sfr[T2CON] |= T2_TF2;
@@ -183,8 +183,8 @@ static void overflow(struct mcs52 *chip, int n, uint64_t overflows, uint64_t fir
     }
 }
 
-/* COUNTS counts, RATE a cycle, the first ones in cycle FIRST. */
-static void advance(struct mcs52 *chip, int n, uint64_t counts, unsigned rate, uint64_t first)
+/* COUNTS counts, the first ones in cycle FIRST. */
+static void advance(struct mcs52 *chip, int n, uint64_t counts, uint64_t first)
 {
     unsigned distance = mcs52_timer_distance(chip, n);
 
@@ -195,8 +195,7 @@ static void advance(struct mcs52 *chip, int n, uint64_t counts, unsigned rate, u
         uint64_t beyond = counts - distance, more = beyond / period;
 
         set_value(chip, n, period - (unsigned)(beyond % period));
-        overflow(chip, n, 1 + more, first + (distance - 1) / rate,
-                 first + (distance - 1 + more * period) / rate);
+        overflow(chip, n, 1 + more, first + (distance - 1) / rate_of(chip, n));
     }
 }
 
@@ -225,9 +224,7 @@ void mcs52_timer_sync(struct mcs52 *chip, int n, uint64_t through)
     }
     chip->timer_at[n] = through + 1;
     if (mcs52_timer_counts_cycles(chip, n)) {
-        unsigned rate = n == 2 ? mcs52_timer2_rate(chip) : 1;
-
-        advance(chip, n, cycles * rate, rate, from);
+        advance(chip, n, cycles * rate_of(chip, n), from);
     }
     if (n == 0 && has_second_half(chip)) {
         advance_second_half(chip, cycles, from);
@@ -246,12 +243,11 @@ void mcs52_timer_count(struct mcs52 *chip, int n, uint64_t cycle)
 {
     bool overflows;
 
-    mcs52_timer_sync(chip, n, cycle);
     if (!runs(chip, n) || !is_counter(chip, n)) {
         return;
     }
     overflows = mcs52_timer_distance(chip, n) == 1;
-    advance(chip, n, 1, 1, cycle);
+    advance(chip, n, 1, cycle);
     if (overflows) {
         mcs52_uart_overflow(chip, n, cycle);
     }
@@ -278,9 +274,9 @@ void mcs52_timer2_pin(struct mcs52 *chip, uint64_t cycle)
 
 /* --- what is due -------------------------------------------------------------------------- */
 
-static uint64_t overflow_cycle(const struct mcs52 *chip, int n, unsigned rate)
+static uint64_t overflow_cycle(const struct mcs52 *chip, int n)
 {
-    return chip->timer_at[n] + (mcs52_timer_distance(chip, n) - 1) / rate;
+    return chip->timer_at[n] + (mcs52_timer_distance(chip, n) - 1) / rate_of(chip, n);
 }
 
 void mcs52_timers_plan(struct mcs52 *chip)
@@ -289,7 +285,7 @@ void mcs52_timers_plan(struct mcs52 *chip)
     uint8_t flags = chip->sfr[TCON];
 
     if (mcs52_timer_counts_cycles(chip, 0) && !(flags & TCON_TF0)) {
-        due[0] = overflow_cycle(chip, 0, 1);
+        due[0] = overflow_cycle(chip, 0);
     }
     if (mcs52_timer_mode(chip, 0) == 3) {
         uint64_t second = chip->timer_at[0] + 0xFFu - chip->sfr[TH0];
@@ -298,12 +294,12 @@ void mcs52_timers_plan(struct mcs52 *chip)
             due[0] = second;
         }
     } else if (mcs52_timer_counts_cycles(chip, 1) && !(flags & TCON_TF1)) {
-        due[1] = overflow_cycle(chip, 1, 1);
+        due[1] = overflow_cycle(chip, 1);
     }
     if (mcs52_timer_counts_cycles(chip, 2) &&
         (is_generator(chip) ? is_clock_out(chip)
                             : is_up_down(chip) || !(chip->sfr[T2CON] & T2_TF2))) {
-        due[2] = overflow_cycle(chip, 2, mcs52_timer2_rate(chip));
+        due[2] = overflow_cycle(chip, 2);
     }
     for (int n = 0; n < 3; n++) {
         mcs52_schedule(chip, (enum event)(EVENT_T0 + n), due[n]);

@@ -12,6 +12,7 @@ enum {
     TICKS = 16, /* a bit */
     FIRST_SAMPLE = 7,
     SAMPLES = 3,
+    LAST_SAMPLE = FIRST_SAMPLE + SAMPLES - 1,
     DETECT = 1, /* positions of the receiver */
     START_BIT = 2,
     LAST_BIT = 11,
@@ -69,7 +70,7 @@ static void from_timer1(struct mcs52 *chip, struct baud *clock)
         return;
     }
     clock->next_state = STATES * (chip->timer_at[1] + mcs52_timer_distance(chip, 1) - 1);
-    if (halved && !(chip->t1_overflows & 1)) {
+    if (halved && !chip->t1_is_odd) {
         clock->next_state += period;
     }
     clock->period = halved ? 2 * period : period;
@@ -123,7 +124,7 @@ static unsigned rx_ticks(const struct mcs52 *chip)
         return 1;
     }
     if (chip->rx_position == AFTER_FRAME) {
-        return TICKS;
+        return (LAST_SAMPLE - 1 - chip->rx_clock.phase) % TICKS + 1;
     }
     return (FIRST_SAMPLE + chip->rx_sample - chip->rx_clock.phase) % TICKS;
 }
@@ -176,7 +177,7 @@ void mcs52_uart_plan(struct mcs52 *chip, uint64_t end)
 /* A timer that counts a pin has overflowed: a tick for the clocks that it drives. */
 void mcs52_uart_overflow(struct mcs52 *chip, int timer, uint64_t cycle)
 {
-    bool ticks = timer == 2 || (chip->sfr[PCON] & PCON_SMOD) || !(chip->t1_overflows & 1);
+    bool ticks = timer == 2 || (chip->sfr[PCON] & PCON_SMOD) || !chip->t1_is_odd;
 
     if (timer == 0 || !ticks || !(mode(chip) & 1)) {
         return;
@@ -322,8 +323,8 @@ static void finish(struct mcs52 *chip, bool ninth, uint64_t cycle)
 
     if (!(control & SCON_RI) && (!(control & SCON_SM2) || ninth)) {
         chip->sfr[SBUF] = (uint8_t)chip->rx_bits;
-        chip->sfr[SCON] = (uint8_t)(ninth ? control | SCON_RB8 : control & ~SCON_RB8);
-        set_flags(chip, SCON_RI, cycle);
+        chip->sfr[SCON] &= (uint8_t)~SCON_RB8;
+        set_flags(chip, ninth ? SCON_RI | SCON_RB8 : SCON_RI, cycle);
     }
     chip->rx_position = mode(chip) == 1 ? 0 : AFTER_FRAME;
 }

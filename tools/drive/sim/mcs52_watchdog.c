@@ -11,10 +11,10 @@ enum {
 
 static void at89s52_write(struct mcs52 *chip, uint8_t value, uint64_t end)
 {
-    if (chip->watchdog_last == 0x1E && value == 0xE1) {
+    if (chip->watchdog_half && value == 0xE1) {
         mcs52_schedule(chip, EVENT_WATCHDOG, end + AT89S52_MC);
     }
-    chip->watchdog_last = value;
+    chip->watchdog_half = value == 0x1E;
 }
 
 /* CLR_WDT feeds and reads as 0; EN_WDT starts and stops; WDT_FLAG is the program's to clear. A new
@@ -65,7 +65,6 @@ void mcs52_watchdog_go_on(struct mcs52 *chip, uint64_t end)
 
 void mcs52_watchdog_bite(struct mcs52 *chip)
 {
-    chip->bitten = false;
     if (chip->outside.reset != NULL) {
         chip->outside.reset(chip->outside.user, chip->now);
     }
