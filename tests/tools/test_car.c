@@ -422,8 +422,8 @@ static void test_that_a_braking_car_hits_with_the_closed_forms_speed(void)
 }
 
 /* Both move: the lead brakes from 6 m/s at 1 s with 2 m/s2, the ego rolls at 8 m/s, 5 m behind: 3 m
- * at 1 s, then 2 t + t^2 = 3, so t = 1 s; the lead drives at 4 m/s then. The impact is within a step
- * that begins at 0, or at 1.5 s. */
+ * at 1 s, then 2 t + t^2 = 3, so t = 1 s; the lead drives at 4 m/s then. The impact is within a
+ * step that begins at 0, or at 1.5 s. */
 static void test_that_an_impact_on_a_braking_car_has_the_difference_of_speeds(void)
 {
     static const int64_t step_ms[] = {10000, 1500};

@@ -197,8 +197,8 @@ static void test_that_chips_differ_where_their_ways_part(void)
     other = NULL;
 }
 
-/* Neither a look at a register nor a comparison changes a chip's way: timer 0, gated by INT0, counts
- * the cycles 0 to 99; timer 1 overflows in cycle 100. */
+/* Neither a look at a register nor a comparison changes a chip's way: timer 0, gated by INT0,
+ * counts the cycles 0 to 99; timer 1 overflows in cycle 100. */
 static void test_that_looking_changes_nothing(void)
 {
     struct mcs52_snapshot snapshot;

@@ -64,7 +64,7 @@ static void test_that_reset_gives_each_register_its_value(void)
     TEST_ASSERT_EQUAL_HEX8(0x5A, sfr(SBUF));
 }
 
-/* Each latch that was low rises once, at the reset; and what the outside does later stays planned. */
+/* Each latch that was low rises once, at the reset; what the outside does later stays planned. */
 static void test_that_a_reset_lets_the_pins_rise(void)
 {
     for (int port = 0; port < 4; port++) {
@@ -222,13 +222,12 @@ static void test_that_a_watchdog_may_stand_in_idle(void)
         mcs52_run(chip, asleep + 2 * period);
         TEST_ASSERT_EQUAL(!cases[i].stands, reset_count);
         if (cases[i].stands) {
-            uint64_t awake = asleep + 3 * period + 2; /* polled in the next cycle, then the LCALL */
-
             mcs52_run(chip, asleep + 5 * period);
             TEST_ASSERT_EQUAL(1, reset_count);
-            TEST_ASSERT_EQUAL_UINT64(started + period + awake - asleep, reset_cycle);
+            /* It stood until the LCALL, two cycles after the fall. */
+            TEST_ASSERT_TRUE(reset_cycle == started + period + 3 * period + 2);
         } else {
-            TEST_ASSERT_EQUAL_UINT64(started + period, reset_cycle);
+            TEST_ASSERT_TRUE(reset_cycle == started + period);
         }
     }
 }

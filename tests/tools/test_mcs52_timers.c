@@ -365,8 +365,8 @@ static void test_that_timer_2_counts_down_with_t2ex_low(void)
     TEST_ASSERT_EQUAL_HEX8(TF2, sfr(T2CON) & (TF2 | EXF2));
 }
 
-/* Nobody looks in between: T2EX falls in cycle 50 and rises in cycle 80, so of the cycles 0 to 99 70
- * count up and 30 down. */
+/* Nobody looks in between: T2EX falls in cycle 50 and rises in cycle 80, so of the cycles 0 to 99
+ * 70 count up and 30 down. */
 static void test_that_timer_2_turns_in_the_cycle_of_t2ex(void)
 {
     make_chip(MCS52_AT89S52);

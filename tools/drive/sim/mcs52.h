@@ -63,9 +63,10 @@ enum mcs52_reset mcs52_reset_cause(const struct mcs52 *chip);
 
 /* --- running ------------------------------------------------------------------------------ */
 
-/* Runs every instruction that ends at or before UNTIL (< 2^62). Returns mcs52_cycles: UNTIL or up to 3
- * cycles less, or the end of the instruction in which mcs52_stop was called. What is asked of the
- * chip between two calls does not depend on where the calls are cut. */
+/* Runs every instruction that ends at or before UNTIL, which is less than 2^62. Returns
+ * mcs52_cycles: UNTIL or up to 3 cycles less, or the end of the instruction in which mcs52_stop was
+ * called. What is asked of the chip between two calls does not depend on where the calls are cut.
+ */
 uint64_t mcs52_run(struct mcs52 *chip, uint64_t until);
 
 /* Runs one instruction, or takes one interrupt. In idle and power-down: goes on by a cycle. */
@@ -163,9 +164,9 @@ struct mcs52_fault {
     uint64_t cycles; /* how long, for all but a bit; 0: for good, which only pins may */
 };
 
-/* A stuck bit stays so until mcs52_heal, which ends all faults; it is forced after each instruction,
- * which costs some speed. Returns false when MCS52_FAULTS are in place, or for an address or bit that there is not.
- */
+/* A stuck bit stays so until mcs52_heal, which ends all faults; it is forced after each
+ * instruction, which costs some speed. Returns false when MCS52_FAULTS are in place, or for an
+ * address or bit that there is not. */
 enum { MCS52_FAULTS = 8 };
 bool mcs52_inject(struct mcs52 *chip, const struct mcs52_fault *fault);
 void mcs52_heal(struct mcs52 *chip);
