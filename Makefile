@@ -38,8 +38,9 @@ SSHLOGIN     ?= :#                machines for GNU parallel: host1,host2,: (: is
 
 # --- what all rules share ---------------------------------------------------------------------
 MAKEFLAGS += --no-builtin-rules --no-print-directory
-SHELL     := /bin/bash
-.SHELLFLAGS := -euo pipefail -c
+# With these, make runs a plain command without a shell in between.
+SHELL     := /bin/sh
+.SHELLFLAGS := -ec
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := all

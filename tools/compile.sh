@@ -12,29 +12,29 @@ shift 2
 folder=${object%/*} name=${object##*/}
 depends=${object%.rel}.d
 [ -d "$folder" ] || mkdir -p "$folder"
-new=$(mktemp -d -p build kept.XXXXXX)
-trap 'rm -rf "$new"' EXIT
+text=$folder/text.$$
+new=
+trap 'rm -rf "$text".* ${new:+"$new"}' EXIT
 trap 'exit 1' HUP INT TERM
 # With its comments: the listing carries them, and tools/bound reads them there. Not every version of SDCC can be
 # told the name of the file with the headers, so that is the name of the text.
-"$@" -MMD -Wp,-C -E "$source" -o "$new/text.rel"
-sed "1s|^[^ ]*:|$object:|" "$new/text.d" >"$depends"
+"$@" -MMD -Wp,-C -E "$source" -o "$text.rel"
+sed "1s|^[^ ]*:|$object:|" "$text.d" >"$depends"
 flags=${SDCC_VERSION:-}
 for flag; do
     # Defines and folders of headers have done their work.
     case $flag in -D* | -U* | -I*) ;; *) flags="$flags $flag" ;; esac
 done
-key=$({
-    echo "$flags"
-    cat tools/no_atomics.sh "$new/text.rel"
-} | sha256sum)
+echo "$flags" >>"$text.rel"
+key=$(cat tools/no_atomics.sh "$text.rel" | sha256sum)
 kept=build/objects/${key%% *}
 if [ ! -d "$kept" ]; then
+    new=$(mktemp -d -p build kept.XXXXXX)
     mkdir "$new/kept"
     "$@" -c "$source" -o "$new/kept/$name"
     tools/no_atomics.sh "$new/kept/$name"
     # shellcheck disable=SC2046  # one word each
-    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$new/text.d")
+    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$text.d")
     if [ -n "$changed" ]; then
         echo "$changed: error: changed while $source was compiled; run make again" >&2
         exit 1

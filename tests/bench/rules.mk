@@ -20,13 +20,14 @@ endif
 # The payloads as frames, as the chip's UART gets them.
 BENCH_LINES := $(patsubst tests/bench/%.c,build/bench/line_%,$(wildcard $(CONTROLLERS:%=tests/bench/%.c)))
 BENCH_LINES := $(filter-out build/bench/line_brake,$(BENCH_LINES))
-$(BENCH_LINES): build/bench/line_%: tests/bench/line.c tests/bench/%.c tests/bench/step.h tools/drive/plant/head.c tools/drive/plant/random.c | all
+$(BENCH_LINES): build/bench/line_%: tests/bench/line.c tests/bench/%.c tests/bench/step.h $(addprefix build/host/tools/drive/plant/,head.o random.o) | all
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -std=c11 -D_GNU_SOURCE -Itools/common $(DRIVE_ROOMS) -Ibuild $(patsubst %,-Ifirmware/%,lib frames mcu $*) \
-	    $(filter %.c,$^) -lm -o $@
+	$(Q)$(CC) -O0 -std=c11 -D_GNU_SOURCE -Itools/common $(DRIVE_ROOMS) -Ibuild $(patsubst %,-Ifirmware/%,lib frames mcu $*) \
+	    $(filter %.c %.o,$^) -lm -o $@
 
 .PHONY: run-bench
 # What it prints stays for the report's page.
+run-bench: SHELL := /bin/bash
 run-bench: all $(LUT_IMAGES) $(BENCH_LINES)
 	@mkdir -p build/bench
-	@{ missed=0; for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench || missed=1; done; exit $$missed; } | tee build/bench/bench.txt
+	@set -o pipefail; { missed=0; for bench in tests/bench/*.sh; do echo "== $$bench"; $$bench || missed=1; done; exit $$missed; } | tee build/bench/bench.txt
