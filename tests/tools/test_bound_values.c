@@ -1154,18 +1154,20 @@ static void test_the_frame_pointer_is_what_begins_functions(void)
         {{0xC0, 0x09, 0xE6, SP, 0xF5, 0x09}, -1},   {{0xC0, 0x09, 0xE5, SP + 1, 0xF5, 0x09}, -1},
         {{0xC0, 0x09, 0xE5, SP, 0xF6, 0x09}, -1},   {{0xC0, 0x09, 0xE5, SP, 0xF5, 0x08}, -1},
     };
-    static uint8_t more[0x10000 + 6]; /* what lies beyond the code is none of it */
-    static const int places[] = {0, 0x1234, 0xFFFA, 0xFFFB};
+    static uint8_t more[0x10000 + 6]; /* what lies beside the code is none of it */
+    static const int places[] = {-1, 0, 0x1234, 0xFFFA, 0xFFFB};
 
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < 5; k++) {
+            bool is_beside = places[k] < 0 || places[k] > 0xFFFA;
+
             memset(more, 0, sizeof more);
-            memcpy(&more[places[k]], cases[i].bytes, 6);
+            memcpy(&more[1 + places[k]], cases[i].bytes, 6);
             memset(&world, 0xFF, sizeof world);
-            values_world_init(&world, more);
-            TEST_ASSERT_EQUAL_INT(places[k] > 0xFFFA ? -1 : cases[i].found, world.frame_pointer);
+            values_world_init(&world, &more[1]);
+            TEST_ASSERT_EQUAL_INT(is_beside ? -1 : cases[i].found, world.frame_pointer);
             TEST_ASSERT_FALSE(world.is_shared[0] || world.is_shared[VALUES_BYTES - 1]);
-            TEST_ASSERT_EQUAL_PTR(more, world.code);
+            TEST_ASSERT_EQUAL_PTR(&more[1], world.code);
         }
     }
 }

@@ -89,23 +89,21 @@ static bool turn(struct turning *turning)
 static void enter(struct turning *turning)
 {
     const struct function *function = turning->function;
+    struct values *values = &turning->places[turning->header].before;
 
-    for (int i = 0; i < function->node_count; i++) {
+    if (turning->header == 1) { /* the function's entry */
+        values_enter(values, &turning->flow->world);
+    }
+    for (int i = 1; i < function->node_count; i++) {
         const struct node *node = &function->nodes[i];
 
         for (int k = node->first; k < node->first + node->count; k++) {
-            struct values after;
+            struct values after = *node->before;
 
-            if (function->successors[k] != turning->header || turning->places[i].is_member) {
-                continue;
-            }
-            if (i == 0) {
-                values_enter(&after, &turning->flow->world);
-            } else {
-                after = *node->before;
+            if (function->successors[k] == turning->header && !turning->places[i].is_member) {
                 graph_step(turning->flow, node, &after);
+                values_merge(values, &after);
             }
-            values_merge(&turning->places[turning->header].before, &after);
         }
     }
 }
