@@ -419,11 +419,32 @@ static void test_the_longest_way_counts(void)
          {{0x103, 7, 4}},
          4 * 8 + 2 + 2,
          NULL},
-        {"the same bound twice",
+        {"the same line at its begin and its end",
          {0x60, 0x03, 0xA4, 0x80, 0xFB, 0x22},
          6,
-         {{0x100, 7, 4}, {0x103, 8, 4}},
+         {{0x100, 7, 4}, {0x102, 8, -1}, {0x103, 7, 4}},
          4 * 8 + 2 + 2,
+         NULL},
+        /* loop: jz out; jc loop; mul; sjmp loop; out: ret */
+        {"two ways back to the line of the condition",
+         {0x60, 0x05, 0x40, 0xFC, 0xA4, 0x80, 0xF9, 0x22},
+         8,
+         {{0x100, 7, 4}, {0x102, 8, -1}, {0x104, 9, -1}, {0x105, 9, -1}},
+         4 * 10 + 2 + 2,
+         NULL},
+        /* loop: nop; jz loop; jc loop; ret */
+        {"two ways back from one line",
+         {0x00, 0x60, 0xFD, 0x40, 0xFB, 0x22},
+         6,
+         {{0x100, 6, -1}, {0x101, 7, 4}, {0x103, 7, 4}},
+         4 * 5 + 5 + 2,
+         NULL},
+        /* loop: mul; jz out; nop; sjmp loop; out: ret */
+        {"the bound of a loop without end stands where it begins",
+         {0xA4, 0x60, 0x03, 0x00, 0x80, 0xFA, 0x22},
+         7,
+         {{0x100, 7, 4}, {0x101, 8, -1}, {0x103, 9, -1}, {0x104, 9, -1}},
+         4 * 9 + 6 + 2,
          NULL},
         /* djnz r7,itself; mul; nop; ret */
         {"a loop of one instruction, and what follows",
@@ -474,6 +495,29 @@ static void test_the_longest_way_counts(void)
          {{0x103, 8, 3}},
          3 * 5 + 3 + 12 + 2,
          NULL},
+        /* loop: nop; jc b; mul; sjmp loop; b: djnz r7,loop; ret */
+        {"the longer of two ways back is straight on",
+         {0x00, 0x40, 0x03, 0xA4, 0x80, 0xFA, 0xDF, 0xF8, 0x22},
+         9,
+         {{0x104, 8, 3}, {0x106, 8, 3}},
+         3 * (1 + 2 + 4 + 2) + 1 + 2 + 2 + 2,
+         NULL},
+        /* loop: nop; jc b; sjmp loop; b: mul; djnz r7,loop; ret */
+        {"the longer of two ways back is the jump",
+         {0x00, 0x40, 0x02, 0x80, 0xFB, 0xA4, 0xDF, 0xF8, 0x22},
+         9,
+         {{0x103, 8, 3}, {0x106, 8, 3}},
+         4 * (1 + 2 + 4 + 2) + 2,
+         NULL},
+        /* jz c; jc c; mul; sjmp d; c: nop; d: ret */
+        {"two ways to a step aside are no loop",
+         {0x60, 0x05, 0x40, 0x03, 0xA4, 0x80, 0x01, 0x00, 0x22},
+         9,
+         {{0}},
+         2 + 2 + (4 + 2) + 2,
+         NULL},
+        /* mov r7,#1; djnz r7,itself; ret */
+        {"a loop that turns never", {0x7F, 0x01, 0xDF, 0xFE, 0x22}, 5, {{0}}, 1 + 2 + 2, NULL},
         /* jz trap; mul; ret; trap: sjmp trap */
         {"a trap does not hide the return",
          {0x60, 0x02, 0xA4, 0x22, 0x80, 0xFE},
@@ -501,6 +545,41 @@ static void test_loops_that_cannot_be_bounded_are_refused(void)
          {{0x100, 6, -1}, {0x101, 7, 2}, {0x102, 8, -1}},
          0,
          "at 0x0100 (x.c:6): " NO_BOUND},
+        /* loop: jz out; mul; sjmp loop; out: ret */
+        {"a bound in the middle, before the jump back",
+         {0x60, 0x03, 0xA4, 0x80, 0xFB, 0x22},
+         6,
+         {{0x100, 6, -1}, {0x102, 7, 2}, {0x103, 8, -1}},
+         0,
+         "at 0x0100 (x.c:6): " NO_BOUND},
+        /* mov r7,a; djnz r7,itself; ret */
+        {"a bound before the loop",
+         {0xFF, 0xDF, 0xFE, 0x22},
+         4,
+         {{0x100, 6, 5}, {0x101, 7, -1}},
+         0,
+         "at 0x0101 (x.c:7): " NO_BOUND},
+        /* outer: loop: jz out; mul; sjmp loop; out: djnz r6,outer; ret */
+        {"the outer loop begins with the inner one's condition",
+         {0x60, 0x03, 0xA4, 0x80, 0xFB, 0xDE, 0xF9, 0x22},
+         8,
+         {{0x100, 6, 5}, {0x102, 7, -1}, {0x103, 7, -1}, {0x105, 8, -1}},
+         0,
+         "at 0x0103 (x.c:7): " NO_BOUND},
+        /* outer: nop; inner: mul; djnz r5,inner; djnz r6,outer; ret */
+        {"the inner loop has no bound, the outer one has",
+         {0x00, 0xA4, 0xDD, 0xFD, 0xDE, 0xFA, 0x22},
+         7,
+         {{0x100, 6, -1}, {0x101, 6, -1}, {0x102, 7, -1}, {0x104, 8, 5}},
+         0,
+         "at 0x0101 (x.c:6): " NO_BOUND},
+        /* loop: djnz r5,itself; djnz r6,loop; ret */
+        {"the inner loop has no bound",
+         {0xDD, 0xFE, 0xDE, 0xFC, 0x22},
+         5,
+         {{0x100, 6, -1}, {0x102, 7, 5}},
+         0,
+         "at 0x0100 (x.c:6): " NO_BOUND},
         /* The outer loop has no bound of its own, and does not borrow the inner one's. */
         {"a bound is one loop's",
          {0x7F, 0x03, 0xDF, 0xFE, 0xDE, 0xFA, 0x22},
@@ -520,7 +599,7 @@ static void test_loops_that_cannot_be_bounded_are_refused(void)
          6,
          {{0x100, 7, 4}, {0x103, 8, 5}},
          0,
-         "at 0x0100 (x.c:7): two different `rounds:` for one loop; keep one"},
+         "at 0x0100 (x.c:7): two lines with `rounds:` for one loop; keep one"},
         /* jz into the middle of: loop: nop; nop; djnz r7,loop; ret */
         {"two entries",
          {0x60, 0x01, 0x00, 0x00, 0xDF, 0xFC, 0x22},
@@ -735,6 +814,64 @@ static void test_a_loop_of_the_library_names_the_line_that_leads_there(void)
     }
 }
 
+/* Line 7 calls what returns; line 8 jumps to strlen. */
+static void test_a_call_that_has_returned_leads_nowhere(void)
+{
+    put_library();
+    PUT(0x104, 0x02, 0x03, 0x00);
+    PUT(0x200, 0x22);
+    comes_from(0x104, 8, LISTING_NO_BOUND);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    refuses_to_count(0x100, false, "strlen, called at x.c:8: " LIBRARY_LOOP, "jump");
+}
+
+/* Two functions call wrap, which calls strlen: the one whose cycles are counted is named. */
+static void test_the_last_caller_is_named(void)
+{
+    put_library();
+    PUT(0x200, 0x12, 0x03, 0x00, 0x22);
+    PUT(0x400, 0x12, 0x02, 0x00, 0x22);
+    comes_from(0x400, 9, LISTING_NO_BOUND);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_TRUE(flow_follow_function(&flow, 0x400));
+    refuses_to_count(0x100, false, "strlen, called at x.c:7: " LIBRARY_LOOP, "work");
+    refuses_to_count(0x400, false, "strlen, called at x.c:9: " LIBRARY_LOOP, "other");
+}
+
+/* An interrupt changes the byte that a jump goes by: it has other targets when the loop's rounds are
+ * counted.
+ * mov 0x30,#0; mov a,0x30; mov dptr,#0x109; jmp @a+dptr; two ljmp 0x10F; djnz r7,itself; ret */
+static void test_what_is_followed_once_more_may_be_refused(void)
+{
+    put_start();
+    is_named(0x100, "work");
+    PUT(0x100, 0x75, 0x30, 0x00, 0xE5, 0x30, 0x90, 0x01, 0x09, 0x73, 0x02, 0x01, 0x0F, 0x02, 0x01,
+        0x0F, 0xDF, 0xFE, 0x22);
+    PUT(0x0B, 0x02, 0x02, 0x00);
+    PUT(0x200, 0x75, 0x30, 0x03, 0x32);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    refuses_to_count(0x100, false,
+                     "at 0x0108 (work): calls through a function pointer; call the function by its "
+                     "name",
+                     "shared");
+}
+
+/* Each function calls the next one twice: what a call takes is found once. */
+static void test_the_cycles_of_a_function_are_found_once(void)
+{
+    long expected = 2;
+
+    put_start();
+    for (uint8_t i = 1; i < 24; i++) {
+        PUT((uint16_t)(0x100 * i), 0x12, (uint8_t)(i + 1), 0x00, 0x12, (uint8_t)(i + 1), 0x00,
+            0x22);
+        expected = 2 * (2 + expected) + 2;
+    }
+    PUT(0x1800, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    TEST_ASSERT_EQUAL_INT(expected, cycles_of(0x100));
+}
+
 /* The loop's own jump back to the function's begin does not lead there. */
 static void test_a_function_does_not_lead_to_itself(void)
 {
@@ -780,14 +917,17 @@ static void test_the_rounds_of_a_library_function_are_known(void)
     static const struct {
         const char *name;
         bool has_line;
+        long given; /* rounds; 0: none */
         long expected;
         const char *message;
     } cases[] = {
-        {"_divulong", false, 2 + 32 * 2 + 2 + 2 + 2, NULL},
-        {"_divulong", true, 0,
+        {"_divulong", false, 0, 2 + 32 * 2 + 2 + 2 + 2, NULL},
+        {"_divulong", false, 8, 2 + 8 * 2 + 2 + 2 + 2, NULL},
+        {"_mine", false, 8, 2 + 8 * 2 + 2 + 2 + 2, NULL},
+        {"_divulong", true, 0, 0,
          "at 0x0200 (x.c:9): a loop without a bound; write /* rounds: N */ on the line of its "
          "condition, or give --loop=_divulong:N"},
-        {"_mine", false, 0,
+        {"_mine", false, 0, 0,
          "_mine: a loop without a bound; avoid the call, or give --loop=_mine:N, the most rounds "
          "of each of its loops"},
     };
@@ -800,6 +940,7 @@ static void test_the_rounds_of_a_library_function_are_known(void)
         PUT(0x200, 0xDF, 0xFE, 0x22);
         is_named(0x100, "work");
         is_named(0x200, cases[i].name);
+        flow.rounds[0x200] = cases[i].given;
         if (cases[i].has_line) {
             comes_from(0x200, 9, LISTING_NO_BOUND);
         }
@@ -905,10 +1046,10 @@ static void follow_once(void)
     refuses_to_count(0x400, false, "at 0x0404 (0x0000): 0xA5 is no instruction", "odd");
     tearDown();
     setUp();
-    put_library();
-    PUT(0x200, 0x12, 0x03, 0x00, 0x22);
-    TEST_ASSERT_TRUE(flow_follow(&flow));
-    refuses_to_count(0x100, false, "strlen, called at x.c:7: " LIBRARY_LOOP, "library");
+    test_the_last_caller_is_named();
+    tearDown();
+    setUp();
+    test_a_recursion_is_told_with_its_whole_path();
 }
 
 static size_t bytes_in_use(void)
@@ -922,9 +1063,9 @@ static void test_that_all_memory_is_given_back(void)
 {
     size_t before = 0;
 
-    for (int i = 0; i < 20; i++) {
+    for (int i = 0; i < 5; i++) {
         follow_once();
-        if (i == 10) { /* what malloc keeps for itself is there by now */
+        if (i == 2) { /* what malloc keeps for itself is there by now */
             before = bytes_in_use();
         }
     }
@@ -957,6 +1098,10 @@ int main(void)
     RUN_TEST(test_a_counter_that_an_interrupt_changes_bounds_nothing);
     RUN_TEST(test_a_long_function);
     RUN_TEST(test_a_loop_of_the_library_names_the_line_that_leads_there);
+    RUN_TEST(test_a_call_that_has_returned_leads_nowhere);
+    RUN_TEST(test_the_last_caller_is_named);
+    RUN_TEST(test_what_is_followed_once_more_may_be_refused);
+    RUN_TEST(test_the_cycles_of_a_function_are_found_once);
     RUN_TEST(test_a_function_does_not_lead_to_itself);
     RUN_TEST(test_no_line_leads_to_what_nothing_calls);
     RUN_TEST(test_code_of_the_library_that_cannot_be_followed);

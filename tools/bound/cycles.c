@@ -21,10 +21,11 @@ struct search {
     long endless;     /* cycles of one turn of the longest endless loop; 0: there is none */
 };
 
-/* Of a node: the number of its visit, the least one of its component that is known yet, and the
- * number of its component; order is 0 and component NONE before they are known. */
+/* Of a node: the number of its visit, 0 before it, and the least one of its component that is known
+ * yet. */
 struct mark {
-    int order, low, component;
+    int order, low;
+    bool is_sorted;
 };
 
 /* Strongly connected components of the part with this header, by Tarjan's algorithm. */
@@ -33,6 +34,7 @@ struct components {
     int header; /* edges back to it do not count */
     struct mark *marks;
     int *stack, *sorted; /* sorted: nodes, the components one after another, last ones first */
+    int *begins;         /* of each component: its place in sorted */
     int visited, depth, count, sorted_count;
 };
 
@@ -58,23 +60,23 @@ static void visit(struct components *found, int at)
         if (marks[to].order == 0) {
             visit(found, to);
         }
-        if (marks[to].component == NONE && marks[to].low < marks[at].low) {
+        if (!marks[to].is_sorted && marks[to].low < marks[at].low) {
             marks[at].low = marks[to].low;
         }
     }
     if (marks[at].low < marks[at].order) {
         return;
     }
+    found->begins[found->count++] = found->sorted_count;
     do {
         int member = found->stack[--found->depth];
 
-        marks[member].component = found->count;
+        marks[member].is_sorted = true;
         found->sorted[found->sorted_count++] = member;
     } while (found->stack[found->depth] != at);
-    found->count++;
 }
 
-static bool longest(struct search *search, int header, long *dist, long *turn);
+static bool longest(struct search *search, int header, long *dist);
 
 static bool goes_to(const struct function *function, int from, int to)
 {
@@ -139,44 +141,105 @@ static bool find_given(const struct search *search, uint16_t address, long *roun
     return *rounds > 0 || complain_of_loop(search, address);
 }
 
-/* Finds how many rounds the loop of these nodes has at most: what the `rounds:` comment on the
- * source line of its condition says, or what the program counts itself, with constants. A comment is
- * valid for one loop, the innermost one on its line. */
-static bool find_rounds(struct search *search, const int *members, int count, int header,
-                        long *rounds)
+static bool is_on(const struct search *search, int at, const char *place)
+{
+    const char *own = search->flow->listing->places[search->function->nodes[at].address];
+
+    return own != NULL && strcmp(own, place) == 0;
+}
+
+/* Returns whether the loop of these nodes is left from the source line PLACE. */
+static bool is_left_from(const struct search *search, const int *members, int count,
+                         const char *place)
+{
+    for (int i = 0; i < count; i++) {
+        const struct node *node = &search->function->nodes[members[i]];
+
+        for (int k = node->first; is_on(search, members[i], place) && k < node->first + node->count;
+             k++) {
+            bool is_inside = false;
+
+            for (int m = 0; m < count; m++) {
+                is_inside = is_inside || members[m] == search->function->successors[k];
+            }
+            if (!is_inside) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Finds the source line whose `rounds:` bounds the loop of these nodes: that of an instruction with
+ * which a round begins or ends. *PLACE stays NULL if there is none. */
+static bool find_line(const struct search *search, const int *members, int count, int header,
+                      const char **place, long *rounds)
 {
     const struct listing *listing = search->flow->listing;
-    const struct node *nodes = search->function->nodes;
-    const char *turn = NULL;
 
-    *rounds = LISTING_NO_BOUND;
     for (int i = 0; i < count; i++) {
-        uint16_t address = nodes[members[i]].address;
+        uint16_t address = search->function->nodes[members[i]].address;
 
         if (search->is_claimed[members[i]] || listing->rounds[address] == LISTING_NO_BOUND ||
             !is_turning(search, members[i], header)) {
             continue;
         }
-        if (*rounds != LISTING_NO_BOUND && *rounds != listing->rounds[address]) {
+        if (*place != NULL && !is_on(search, members[i], *place)) {
             return graph_complain(search->flow, address,
-                                  "two different `rounds:` for one loop; keep one");
+                                  "two lines with `rounds:` for one loop; keep one");
         }
+        *place = listing->places[address];
         *rounds = listing->rounds[address];
-        turn = listing->places[address];
     }
-    if (turn == NULL) {
+    return true;
+}
+
+/* Returns a jump back to the HEADER that the line PLACE with its `rounds:` does not bound; NONE: it
+ * bounds the loop. Two loops may begin with one instruction: so where several jumps lead back, the
+ * line must be that of each of them, or that by which the loop is entered and left. */
+static int find_unbounded(const struct search *search, const int *members, int count, int header,
+                          const char *place)
+{
+    int jumps = 0, unbounded = NONE;
+
+    for (int i = 0; i < count; i++) {
+        if (goes_to(search->function, members[i], header)) {
+            jumps++;
+            unbounded = is_on(search, members[i], place) ? unbounded : members[i];
+        }
+    }
+    return jumps == 1 ||
+                   (is_on(search, header, place) && is_left_from(search, members, count, place))
+               ? NONE
+               : unbounded;
+}
+
+/* Finds how many rounds the loop of these nodes has at most: what the `rounds:` comment on the
+ * source line of its condition says, or what the program counts itself, with constants. A comment
+ * is valid for one loop, the innermost one on its line. */
+static bool find_rounds(struct search *search, const int *members, int count, int header,
+                        long *rounds)
+{
+    const struct function *function = search->function;
+    const char *place = NULL;
+    int unbounded;
+
+    if (!find_line(search, members, count, header, &place, rounds)) {
+        return false;
+    }
+    if (place == NULL) {
         if (!graph_settle(search->flow, search->function)) {
             return false;
         }
-        *rounds = rounds_count(search->flow, search->function, members, count, header);
-        return *rounds >= 0 || find_given(search, nodes[header].address, rounds);
+        *rounds = rounds_count(search->flow, function, members, count, header);
+        return *rounds >= 0 || find_given(search, function->nodes[header].address, rounds);
     }
-    for (int i = 0; i < search->function->node_count; i++) {
-        const char *other = listing->places[nodes[i].address];
-
-        if (other != NULL && strcmp(other, turn) == 0) {
-            search->is_claimed[i] = true;
-        }
+    unbounded = find_unbounded(search, members, count, header, place);
+    if (unbounded != NONE) {
+        return complain_of_loop(search, function->nodes[unbounded].address);
+    }
+    for (int i = 0; i < function->node_count; i++) {
+        search->is_claimed[i] |= is_on(search, i, place);
     }
     return true;
 }
@@ -186,9 +249,6 @@ static bool is_endless(const struct search *search, const int *members, int coun
     for (int i = 0; i < count; i++) {
         const struct node *node = &search->function->nodes[members[i]];
 
-        if (node->returns) {
-            return false;
-        }
         for (int k = node->first; k < node->first + node->count; k++) {
             if (search->part[search->function->successors[k]] != header) {
                 return false;
@@ -198,25 +258,40 @@ static bool is_endless(const struct search *search, const int *members, int coun
     return true;
 }
 
+/* The most cycles of a round of the loop with this HEADER; DIST as longest has found it. */
+static long longest_round(const struct function *function, int header, const long *dist)
+{
+    long round = 0;
+
+    for (int i = 0; i < function->node_count; i++) {
+        if (dist[i] > round && goes_to(function, i, header)) {
+            round = dist[i];
+        }
+    }
+    return round;
+}
+
 /* The longest paths through the loop of these nodes. dist is known at the loop's header. The
  * longest round is taken as often as the source says, then the way out of the loop. */
 static bool pass_loop(struct search *search, const int *members, int count, int header, long *dist)
 {
-    long *inner_dist = memory_get((size_t)search->function->node_count, sizeof *inner_dist);
-    long rounds = 1, turn, before = dist[header];
+    const struct function *function = search->function;
+    long *inner_dist = memory_get((size_t)function->node_count, sizeof *inner_dist);
+    long rounds = 1, round, before = dist[header];
     bool is_good, never_ends;
 
     for (int i = 0; i < count; i++) {
         search->part[members[i]] = header;
     }
     never_ends = is_endless(search, members, count, header);
-    is_good = longest(search, header, inner_dist, &turn) &&
+    is_good = longest(search, header, inner_dist) &&
               (never_ends || find_rounds(search, members, count, header, &rounds));
-    if (is_good && never_ends && turn > search->endless) {
-        search->endless = turn;
+    round = longest_round(function, header, inner_dist);
+    if (never_ends && round > search->endless) {
+        search->endless = round;
     }
     for (int i = 0; i < count; i++) {
-        dist[members[i]] = before + rounds * turn + inner_dist[members[i]];
+        dist[members[i]] = before + rounds * round + inner_dist[members[i]];
     }
     free(inner_dist);
     return is_good;
@@ -239,7 +314,8 @@ static bool cost(struct search *search, int at, long *cycles)
     return true;
 }
 
-/* Extends the path that ends in AT to the successors of AT outside its component. */
+/* Extends the path that ends in AT to the successors of AT; those in a loop that has been passed are
+ * in another part now. */
 static void relax(const struct components *found, int at, long *dist)
 {
     const struct function *function = found->search->function;
@@ -248,8 +324,7 @@ static void relax(const struct components *found, int at, long *dist)
     for (int i = node->first; i < node->first + node->count; i++) {
         int to = function->successors[i];
 
-        if (is_edge(found, to) && found->marks[to].component != found->marks[at].component &&
-            dist[at] > dist[to]) {
+        if (is_edge(found, to) && dist[at] > dist[to]) {
             dist[to] = dist[at];
         }
     }
@@ -286,20 +361,16 @@ static bool pass_component(struct search *search, const struct components *found
 /* Passes the components of FOUND in their order: DIST of the header is set. */
 static bool pass_components(struct search *search, const struct components *found, long *dist)
 {
-    const struct mark *marks = found->marks;
+    int end = found->sorted_count;
 
-    for (int end = found->sorted_count; end > 0;) {
-        int begin = end - 1;
+    for (int i = found->count; i-- > 0;) {
+        int begin = found->begins[i];
 
-        while (begin > 0 &&
-               marks[found->sorted[begin - 1]].component == marks[found->sorted[begin]].component) {
-            begin--;
-        }
         if (!pass_component(search, found, &found->sorted[begin], end - begin, dist)) {
             return false;
         }
-        for (int i = begin; i < end; i++) {
-            relax(found, found->sorted[i], dist);
+        for (int k = begin; k < end; k++) {
+            relax(found, found->sorted[k], dist);
         }
         end = begin;
     }
@@ -307,34 +378,27 @@ static bool pass_components(struct search *search, const struct components *foun
 }
 
 /* Finds for each node of the part with this HEADER dist, the most cycles from the start of HEADER
- * to the end of the node; and turn, the most cycles from HEADER back to HEADER, 0 if there is no
- * way back. */
-static bool longest(struct search *search, int header, long *dist, long *turn)
+ * to the end of the node; of other nodes NONE. */
+static bool longest(struct search *search, int header, long *dist)
 {
-    const struct function *function = search->function;
-    int nodes = function->node_count;
+    size_t nodes = (size_t)search->function->node_count;
     struct components found = {.search = search, .header = header};
     bool is_good;
 
-    found.marks = memory_get((size_t)nodes, sizeof *found.marks);
-    found.stack = memory_get((size_t)nodes, sizeof *found.stack);
-    found.sorted = memory_get((size_t)nodes, sizeof *found.sorted);
-    for (int i = 0; i < nodes; i++) {
-        found.marks[i].component = NONE;
+    found.marks = memory_get(nodes, sizeof *found.marks);
+    found.stack = memory_get(nodes, sizeof *found.stack);
+    found.sorted = memory_get(nodes, sizeof *found.sorted);
+    found.begins = memory_get(nodes, sizeof *found.begins);
+    for (size_t i = 0; i < nodes; i++) {
         dist[i] = NONE;
     }
     visit(&found, header);
     dist[header] = 0;
     is_good = pass_components(search, &found, dist);
-    *turn = 0;
-    for (int i = 0; i < nodes; i++) {
-        if (dist[i] > *turn && goes_to(function, i, header)) {
-            *turn = dist[i];
-        }
-    }
     free(found.marks);
     free(found.stack);
     free(found.sorted);
+    free(found.begins);
     return is_good;
 }
 
@@ -368,7 +432,7 @@ bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
     struct function *function;
     struct search search = {.flow = flow, .entry = entry};
     uint16_t caller = flow->entry;
-    long *dist, turn;
+    long *dist;
     bool is_good;
 
     if (!flow_follow_function(flow, entry)) { /* nothing but a jump may have led to it */
@@ -383,10 +447,9 @@ bool flow_cycles(struct flow *flow, uint16_t entry, bool is_round, long *cycles)
     dist = memory_get((size_t)function->node_count, sizeof *dist);
     search.part = memory_get((size_t)function->node_count, sizeof *search.part);
     search.is_claimed = memory_get((size_t)function->node_count, sizeof *search.is_claimed);
-    is_good = longest(&search, 0, dist, &turn) &&
+    is_good = longest(&search, 0, dist) &&
               (is_round ? take_round(&search, cycles) : take_way_out(&search, dist, cycles));
     flow->entry = caller;
-    graph_forget(function);
     free(dist);
     free(search.part);
     free(search.is_claimed);

@@ -81,11 +81,8 @@ static bool complain_of_recursion(const struct flow *flow, uint16_t entry, uint1
     const char *line = flow->listing->places[call], *name = listing_name(flow->listing, entry);
     char *path;
     size_t length;
-    FILE *stream = open_memstream(&path, &length);
+    FILE *stream = memory_open(&path, &length);
 
-    if (stream == NULL) {
-        abort();
-    }
     write_path(stream, flow, entry, flow->entry);
     fclose(stream);
     diag_error(
@@ -209,7 +206,6 @@ static bool note_effects(struct flow *flow, struct function *function, const str
     if (node->it.course == COURSE_CALL && !follow_call(flow, function, node)) {
         return false;
     }
-    flow->entry = function->nodes[1].address;
     graph_step(flow, node, values);
     after = values_depth(values);
     if (after < 0 || after > VALUES_DEPTH_MAX) {

@@ -26,3 +26,8 @@ char *memory_copy(const char *text, size_t length)
 {
     return or_end(strndup(text, length));
 }
+
+FILE *memory_open(char **text, size_t *length)
+{
+    return or_end(open_memstream(text, length));
+}

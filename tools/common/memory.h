@@ -4,6 +4,7 @@
 #define FUZZY51_MEMORY_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 /* COUNT elements of SIZE bytes, all 0. To be freed. */
 void *memory_get(size_t count, size_t size);
@@ -13,5 +14,8 @@ void *memory_resize(void *array, size_t count, size_t size);
 
 /* The first LENGTH characters of TEXT, or all if it is shorter. To be freed. */
 char *memory_copy(const char *text, size_t length);
+
+/* A stream for writing, whose text, LENGTH characters, is in TEXT once it is closed. To be freed. */
+FILE *memory_open(char **text, size_t *length);
 
 #endif
