@@ -146,10 +146,11 @@ static void control_step(uint8_t echo)
     seq++; /* counted as soon as the duty is set: where benches look */
 }
 
+/* `tick` is not in it: one that is behind catches up, and one that is ahead is TICKS_LATE. */
 /*@ assigns \nothing; */
 static uint8_t sum_up(void)
 {
-    return brake_sum() ^ tick ^ triggered ^ (uint8_t)is_measuring;
+    return brake_sum() ^ triggered ^ (uint8_t)is_measuring;
 }
 
 /*@ assigns sealed; */
@@ -177,8 +178,9 @@ static void begin_anew(void)
     brake_begin_anew();
     apply();
     is_measuring = false;
-    tick = (uint8_t)(hal_ticks() - 1U); /* the present tick is yet to be handled */
+    tick = hal_ticks();
     triggered = tick;
+    sent = 0;
     seal();
 }
 
@@ -440,17 +442,16 @@ void main(void)
         }
 
         /* Every 10 ms. */
+        tick++;
         advance_clock();
         sent = 0;
         if (phase == PHASE_TEST) {
-            tick++;
             flow = FLOW_TICK;
             if (code_test != HAL_CODE_RUNNING && idle_wait != 0) {
                 idle_wait--;
             }
         } else {
             check(); /* again, so that what is sealed below was whole before */
-            tick++;
             if (!hal_outputs_follow(brake.stop)) {
                 brake_fail(BRAKE_FAULT_OUTPUT);
             }

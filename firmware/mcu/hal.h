@@ -57,7 +57,7 @@ char hal_uart_get(void);   /* the character that came in, or 0 if none came */
 /* At the begin of a round of main, where nothing is on the stack: tests the processor's registers
  * and flags, and sets the flags with their register bank again. hal_restart if one is broken, or if
  * the stack pointer is not where it was then: something has run that main did not call. On a board
- * without a watchdog hal_restart, too, after 255 rounds without hal_watchdog_feed. 87 mc. */
+ * without a watchdog hal_restart, too, after 100 rounds without hal_watchdog_feed. 87 mc. */
 void hal_begin_round(void);
 
 /* Starts the program again, as the watchdog would, but at once. Does not return. */

@@ -40,7 +40,7 @@ __sbit __at(PIN_OVERRIDE) pin_override; /* low: held */
 #define PWM_GUARD_TICKS 8U
 extern volatile uint8_t pwm_guard_ticks;
 /* And after so many rounds without a tick hal_begin_round does: no interrupt comes any more. */
-#define ROUND_GUARD_ROUNDS 255U
+#define ROUND_GUARD_ROUNDS 100U
 extern volatile uint8_t round_guard;
 #endif
 

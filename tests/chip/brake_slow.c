@@ -10,5 +10,12 @@ static uint8_t slow_ticks(void);
 
 static uint8_t slow_ticks(void)
 {
-    return hal_ticks() >> 1;
+    static uint8_t seen, counted;
+    uint8_t ticks = hal_ticks();
+
+    if ((uint8_t)(ticks - seen) >= 2U) {
+        seen += 2U;
+        counted++;
+    }
+    return counted;
 }

@@ -23,6 +23,8 @@
 #
 # The simulator stands still whenever it has eaten all pin events; so all is exact and repeats to the byte.
 
+. tests/listing.sh
+
 s51_board() { # BOARD KNOB
     awk -v knob="$2" '$1 == knob { print $3 }' "firmware/boards/$1.mk"
 }
@@ -196,7 +198,7 @@ s51_answers() { # CELL FILE
 
 # The byte that brake.c counts its control steps with, right after the duty is set.
 s51_steps_cell() { # BOARD APP
-    awk '$NF == "_seq:" { print "iram[0x" tolower(substr($1, 5)) "]"; exit }' "build/$1/$2/brake/main.rst"
+    printf 'iram[0x%02x]\n' "$(address_of _seq "build/$1/$2/brake/main.rst")"
 }
 
 s51_stop() {

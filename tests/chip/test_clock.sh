@@ -38,7 +38,7 @@ END
     printf '%s\n' 'impact = none' "$@"
 }
 scenario 'min_gap_m >= 2.3' 'resets <= 100' >"$out/bits.scn"
-scenario 'full_brake_within_s <= 0.3' 'final_brake_pct >= 100' >"$out/still.scn"
+scenario 'full_brake_within_s <= 0.15' 'final_brake_pct >= 100' >"$out/still.scn"
 
 stick() { # BOARD REGISTER
     local bit kind
@@ -58,7 +58,7 @@ for board in at89s52 generic8052; do
 done
 
 build/drive run --engine=fast --brief --board generic8052 --scenario "$out/still.scn" >"$out/still" 2>&1
-faultless "a clock that stands is full brake within 0.3 s" "$(grep -v ':PASS' "$out/still")"
+faultless "a clock that stands is full brake within 0.15 s" "$(grep -v ':PASS' "$out/still")"
 
 build/drive run --engine=fast --brief --board stc89c516rd --hex "$slow" --scenario tests/loop/nothing_ahead.scn --uart "$out/slow" >/dev/null 2>&1
 check "a clock of half speed is fault 12" grep -aqE '^[0-9,]*,60,FAULT,12' "$out/slow"

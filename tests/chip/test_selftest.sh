@@ -66,8 +66,7 @@ check "a_good_image_shows_no_fault" [ -z "$(grep -E 'FAULT,([89]|1[01])' "$out/s
 s51_clean
 
 # The table's bytes lie in lut's constants.
-address=$(awk '$NF == "_lut_out1:" { print $1; exit }' "build/$board/brake/lib/lut.rst")
-awk -v "address=$((16#$address + 1000))" -f tests/chip/flip_byte.awk "build/$board/brake.ihx" >"$out/flipped.ihx"
+awk -v "address=$(($(address_of _lut_out1 "build/$board/brake/lib/lut.rst") + 1000))" -f tests/chip/flip_byte.awk "build/$board/brake.ihx" >"$out/flipped.ihx"
 check "one_bit_of_the_table_is_flipped" [ "$(cmp -l "build/$board/brake.ihx" "$out/flipped.ihx" | wc -l)" -ge 2 ]
 run "$out/flipped.ihx" ""
 check "a_flipped_bit_in_the_table_is_fault_8" shows 8

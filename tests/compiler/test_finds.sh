@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: MIT
 # The comparison of chip and host finds what it should: one wrong bit in the code of a chip.
 . tests/lib.sh
+. tests/listing.sh
 board=${BOARD:-stc89c516rd}
 images=build/compiler/$board
 
 # differs NAME IMAGE MODULE SYMBOL OFFSET: the bit is the lowest one of the byte at SYMBOL + OFFSET.
 differs() {
-    local at said
-    at=$(awk -v symbol="$4:" '$NF == symbol { print $1; exit }' "$images/$2/shipped/$3.rst")
-    awk -v "address=$((16#$at + $5))" -f tests/chip/flip_byte.awk "$images/$2/steps.ihx" >"$out/$1.ihx"
+    local said
+    awk -v "address=$(($(address_of "$4" "$images/$2/shipped/$3.rst") + $5))" -f tests/chip/flip_byte.awk "$images/$2/steps.ihx" >"$out/$1.ihx"
     check "$1_is_one_bit" [ "$(cmp -l "$images/$2/steps.ihx" "$out/$1.ihx" | wc -l)" -ge 2 ]
     said=$("$images/$2/steps" "$out/$1.ihx" 50000 2>&1)
     [ $? -eq 1 ] && [[ $said == "step "[0-9]*" differs: "*input*host*chip* ]]

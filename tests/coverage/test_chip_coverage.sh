@@ -45,7 +45,7 @@ ways() { # CONTROLLER
         folder=tests/loop
         usual=$folder/standing_car_3mps.scn
         printf '%s\n' "drive $usual" "type_keys _dropped" "type_keys _seconds" high_line \
-            "jump $(address_of brake/main _main)" "overwrite brake/main _flow" "flip_cell tests/loop/constant_gap_noise.scn brake/brake _brake 1 0 5" \
+            "jump $(label_at brake/main _main)" "overwrite brake/main _flow" "flip_cell tests/loop/constant_gap_noise.scn brake/brake _brake 1 0 5" \
             "flip_cell tests/loop/constant_gap_noise.scn mcu/code _state 4 0 5" # the sum that it has learned
         ;;
     *)
@@ -72,10 +72,10 @@ drive() { # SCENARIO KEY=VALUE...
 
 # A bit flips in a variable.
 flip_cell() { # SCENARIO MODULE VARIABLE OFFSET BIT AT_S
-    drive "$1" flip.place=ram "flip.address=$(($(address_of "$2" "$3") + $4))" "flip.bit=$5" "flip.at_s=$6"
+    drive "$1" flip.place=ram "flip.address=$(($(label_at "$2" "$3") + $4))" "flip.bit=$5" "flip.at_s=$6"
 }
-address_of() { # MODULE LABEL
-    awk -v label="$2:" '$NF == label || $NF == label ":" { print "0x" $1; exit }' "build/$image/$1.rst"
+label_at() { # MODULE LABEL
+    address_of "$2" "build/$image/$1.rst"
 }
 
 # A bit of the table; the self-test finds it.
@@ -85,7 +85,7 @@ flip_table() { # SCENARIO
     drive "$1"
 }
 flipped_table() { # sets hex
-    awk -v "address=$(($(address_of lib/lut _lut_out1) + 100))" -f tests/chip/flip_byte.awk "$hex" >"$out/flipped.ihx"
+    awk -v "address=$(($(label_at lib/lut _lut_out1) + 100))" -f tests/chip/flip_byte.awk "$hex" >"$out/flipped.ihx"
     hex=$out/flipped.ihx
 }
 
@@ -114,7 +114,7 @@ keep_covered() {
 # All commands, each after the answer to the one before, while a counter of two bytes overflows the lower one.
 type_keys() { # COUNTER
     local key now=800000 cell
-    cell=iram[$(address_of brake/main "$1")]
+    cell=iram[$(label_at brake/main "$1")]
     S51_SETS=$cell S51_TYPES=1 s51_start "$board" "$hex"
     s51_set 700000 255
     s51_until "$now"
@@ -138,7 +138,7 @@ high_line() {
 # A byte is 255, a few times within 2 ms: so the lower byte of a counter overflows, and the marks of a round are wrong.
 overwrite() { # MODULE VARIABLE
     local k
-    S51_SETS="iram[$(address_of "$1" "$2")]" s51_start "$board" "$hex"
+    S51_SETS="iram[$(label_at "$1" "$2")]" s51_start "$board" "$hex"
     for ((k = 0; k < 20; k++)); do s51_set $((700000 + 97 * k)) 255; done
     s51_until 2000000
     s51_stop

@@ -32,8 +32,8 @@ fly() { # BOARD DRIVE LEAST WHAT AT...
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
     build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
-        --least="$least" --fault-state="$(address_of "$out" "$board" fault_state)" --unused="$(printf %X $stack)" \
-        --told="$(address_of "$out" "$board" stack_unused)" "${options[@]}" -o "$out/$board.$drive.$what.csv" || return
+        --least="$least" --fault-state="$(variable_at "$out" "$board" fault_state)" --unused="$(printf %X $stack)" \
+        --told="$(variable_at "$out" "$board" stack_unused)" "${options[@]}" -o "$out/$board.$drive.$what.csv" || return
     [ "$(wc -l <"$out/$board.$drive.$what.csv")" -gt 1 ] || {
         echo "flips: error: no run is in $out/$board.$drive.$what.csv" >&2
         return 1

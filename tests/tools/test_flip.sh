@@ -3,10 +3,11 @@
 # [flip]: bits of the chip that flip once or stick, at a machine cycle or an instruction. The bits are of
 # the brake's own count of its steps, which it reports, so each flip shows in the telemetry.
 . tests/lib.sh
+. tests/listing.sh
 board=stc89c516rd
 make -s BOARD=$board build/$board/brake.ihx || exit 2
 # The count lies in internal RAM, low byte first.
-cell=$(awk '$NF == "_seq:" { print "0x" substr($1, 5); exit }' build/$board/brake/brake/main.rst)
+cell=$(address_of _seq build/$board/brake/brake/main.rst)
 
 run() { # NAME [section.key=value...]: a drive of a second, what the controller says in $out/NAME
     local name=$1 sets=() one
@@ -25,7 +26,7 @@ run plain
 check "without a flip the count goes up to 40" shows plain 'count[n] > 10 && count[n] < 40'
 run cycle flip.place=ram "flip.address=$cell" flip.bit=7 flip.at_cycle=1200000
 check "a bit flips at a cycle" shows cycle 'count[5] < 10 && count[n] > 128'
-instruction=600000
+instruction=900000
 run instruction flip.place=ram "flip.address=$cell" flip.bit=7 flip.at_instruction=$instruction
 check "a bit flips at an instruction" shows instruction 'count[1] < 10 && count[n] > 128'
 run back flip.place=ram "flip.address=$cell" flip.bit=7 flip.at_cycle=1000000 \

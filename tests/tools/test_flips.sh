@@ -12,7 +12,7 @@ link() { # BOARD
     link_brake "$out" "$board" || exit 2
 }
 address() { # NAME: of a variable
-    address_of "$out" "$board" "$1"
+    variable_at "$out" "$board" "$1"
 }
 flip() { # SCENARIO OPTION...
     local scenario=$1

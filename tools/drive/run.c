@@ -448,11 +448,15 @@ static double lowest_demand_pct(const struct sim *sim)
 
 static enum sim_status watch_reset(struct loop *loop)
 {
-    struct outcome *outcome = &loop->run->outcome;
+    double *values = loop->run->outcome.values;
     enum sim_status status = sim_run_after_reset(loop->sim, RUN_RESET_WATCH_MS * 1000000LL);
 
-    outcome->values[METRIC_RESETS] = 1;
-    outcome->values[METRIC_RESET_BRAKE] = lowest_demand_pct(loop->sim);
+    values[METRIC_RESETS] = 1;
+    values[METRIC_RESET_BRAKE] = lowest_demand_pct(loop->sim);
+    if (values[METRIC_RESET_BRAKE] >= 100 && isinf(values[METRIC_FULL_BRAKE_WITHIN])) {
+        values[METRIC_FULL_BRAKE_WITHIN] =
+            (double)loop->run->duration_ns * 1e-9 - loop->setup->scenario->event_s;
+    }
     take_uart(loop);
     return status;
 }

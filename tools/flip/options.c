@@ -4,9 +4,7 @@
 #include "number.h"
 #include "run.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -103,42 +101,36 @@ static int parse_kind(struct argp_state *state, const char *text)
     return WHAT_BITS;
 }
 
-/* Options with a number. */
+/* Options with a whole number or a hexadecimal address. */
+static const struct number_option {
+    int key;
+    const char *name;
+    long (*parse)(struct argp_state *, const char *, const char *, long, long);
+    long low, high;
+    size_t offset; /* in struct arguments */
+} numbers[] = {
+    {OPT_COUNT, "count", parse_count, 1, 1000000, offsetof(struct arguments, count)},
+    {OPT_SEED, "seed", parse_count, 0, 4294967295, offsetof(struct arguments, seed)},
+    {OPT_WINDOW, "window", parse_count, 1, 1000, offsetof(struct arguments, window_ms)},
+    {OPT_SAMPLE, "sample", parse_count, 1, 100000, offsetof(struct arguments, sample)},
+    {OPT_FAULT, "fault-state", parse_hex, 0, 255, offsetof(struct arguments, fault_at)},
+    {OPT_UNUSED, "unused", parse_hex, 0, 255, offsetof(struct arguments, unused_at)},
+    {OPT_TOLD, "told", parse_hex, 0, 255, offsetof(struct arguments, told_at)},
+    {'j', "jobs", parse_count, 1, MAX_JOBS, offsetof(struct arguments, jobs)},
+};
+
 static error_t take_number(int key, const char *text, struct argp_state *state)
 {
-    struct arguments *arguments = state->input;
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        const struct number_option *one = &numbers[i];
 
-    switch (key) {
-    case OPT_COUNT:
-        arguments->count = parse_count(state, "count", text, 1, 1000000);
-        return 0;
-    case OPT_SEED:
-        arguments->seed = parse_count(state, "seed", text, 0, 4294967295);
-        return 0;
-    case OPT_WINDOW:
-        arguments->window_ms = parse_count(state, "window", text, 1, 1000);
-        return 0;
-    case OPT_SAMPLE:
-        arguments->sample = parse_count(state, "sample", text, 1, 100000);
-        return 0;
-    case OPT_LEAST:
-        arguments->least_pct = parse_number(state, "least", text, 0, 100);
-        return 0;
-    case OPT_FAULT:
-        arguments->fault_at = parse_hex(state, "fault-state", text, 0, 255);
-        return 0;
-    case OPT_UNUSED:
-        arguments->unused_at = parse_hex(state, "unused", text, 0, 255);
-        return 0;
-    case OPT_TOLD:
-        arguments->told_at = parse_hex(state, "told", text, 0, 255);
-        return 0;
-    case 'j':
-        arguments->jobs = parse_count(state, "jobs", text, 1, MAX_JOBS);
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
+        if (one->key == key) {
+            *(long *)((char *)state->input + one->offset) =
+                one->parse(state, one->name, text, one->low, one->high);
+            return 0;
+        }
     }
+    return ARGP_ERR_UNKNOWN;
 }
 
 static error_t take_option(int key, char *text, struct argp_state *state)
@@ -160,6 +152,9 @@ static error_t take_option(int key, char *text, struct argp_state *state)
         return 0;
     case OPT_AT:
         parse_instants(state, text, arguments);
+        return 0;
+    case OPT_LEAST:
+        arguments->least_pct = parse_number(state, "least", text, 0, 100);
         return 0;
     case OPT_RAM:
         arguments->has_ram = true;
