@@ -5,7 +5,7 @@
 # Images that a board does not hold are left out. The drives are what happens seldom, below, and those of tests/loop.
 # An instruction needs to be run in one of the images that have it, and an image is driven until nothing of it is
 # left. A line with an instruction that no program reaches says so beside it or just above it, after "unreached:",
-# with the reason.
+# with the reason. Leaves build/coverage/chip.json, of which the report makes a page.
 . tests/lib.sh
 . tests/chip/lib.sh
 . tests/chip/walk_bringup.sh
@@ -212,4 +212,15 @@ sed 's/:.*//' "$out/names" | sort -u >"$out/files"
 while read -r file; do
     faultless "$file" "$(awk -F '\t' -v file="$file:" 'index($3, file) == 1 { print $3 " (at " $2 " of " $1 ") is run by no drive;" }' "$out/left")"
 done <"$out/files"
+mkdir -p build/coverage
+awk -F '\t' -v OFS='\t' '
+    function file(name) { sub(/:.*/, "", name); return name }
+    FILENAME ~ /explained$/ { explained[$0]; next }
+    FILENAME ~ /left$/ { left[$3]; next }
+    { split($1, part, " "); all[file($1)]++ }
+    part[1] in explained { said[file($1)]++; next }
+    !($1 in left) { run[file($1)]++ }
+    END { for (name in all) print name, all[name], run[name] + 0, said[name] + 0 }' "$out/explained" "$out/left" "$out/names" |
+    sort | jq -Rn --arg boards "$boards" '{boards: ($boards | split(" ")), files: [inputs | split("\t")
+        | {file: .[0], instructions: (.[1] | tonumber), run: (.[2] | tonumber), explained: (.[3] | tonumber)}]}' >build/coverage/chip.json
 finish

@@ -4,7 +4,7 @@
 #     tests/coverage/test_coverage.sh TEST...      TEST: a unit test that was built for gcov (rules.mk)
 # Not asked for: firmware/mcu, the main loops (each main.c, and frames.c), which run in the simulator. A line
 # that no test can reach says so beside it or just above it, after "unreached:", with the reason.
-# Leaves build/coverage/coverage.json, which the report shows.
+# Leaves build/coverage/host.json, of which the report makes a page.
 . tests/lib.sh
 coverage=build/coverage
 
@@ -12,7 +12,7 @@ find "$coverage" -name '*.gcda' -delete
 parallel --will-cite "{} >$out/{/}.log 2>&1" ::: "$@"
 say each_test_passes $? "see $out/*.log"
 find "$coverage" -name '*.gcda' -exec gcov --branch-probabilities --json-format --stdout {} + >"$out/gcov.json" 2>"$out/gcov.log"
-jq -s -f tests/coverage/holes.jq "$out/gcov.json" >"$coverage/coverage.json"
+jq -s -f tests/coverage/holes.jq "$out/gcov.json" >"$coverage/host.json"
 
 # whole FILE: its holes are all explained.
 whole() {
@@ -22,16 +22,16 @@ whole() {
         where=$(sed -n "$((line > 2 ? line - 2 : 1)),${line}p" "$1")
         [[ $where == *"unreached: "* ]] || fault+="$1:$line: $what; "
     done < <(jq -r --arg file "$1" '.files[] | select(.file == $file) | .holes[]
-        | "\(.line)\t\(if .reached then "a branch of this line" else "this line" end) is reached by no test"' "$coverage/coverage.json")
+        | "\(.line)\t\(if .reached then "a branch of this line" else "this line" end) is reached by no test"' "$coverage/host.json")
     faultless "$1" "$fault"
 }
 
 while read -r file; do
     whole "$file"
-done < <(jq -r '.files[].file' "$coverage/coverage.json")
+done < <(jq -r '.files[].file' "$coverage/host.json")
 # A file of which no line was compiled is none that is whole.
 for file in $(git ls-files 'firmware/*.c' ':!firmware/mcu' ':!firmware/examples' ':!firmware/*/main.c' ':!firmware/frames/frames.c'); do
-    jq -e --arg file "$file" 'any(.files[]; .file == $file)' "$coverage/coverage.json" >/dev/null
+    jq -e --arg file "$file" 'any(.files[]; .file == $file)' "$coverage/host.json" >/dev/null
     say "${file}_is_tested" $? "no unit test has a line of it"
 done
 finish

@@ -45,7 +45,7 @@ exit \$status
 END
 chmod +x "$out/drive"
 start_report() { # in place of the shell that calls it
-    exec env DRIVE="${drive:-$out/drive}" ENGINE="${engine:-fast}" SAMPLE="${sample:-0}" REPORT_OUT="$out/report" MAP=coarse JOBS=2 IMAGES="${images:-brake}" \
+    exec env DRIVE="${drive:-$out/drive}" ENGINE="${engine:-fast}" SAMPLE="${sample:-0}" REPORT_OUT="$out/report" COVERAGE="$out/coverage" MAP=coarse JOBS=2 IMAGES="${images:-brake}" \
         ONLY="${only:-seen_02.0 false_open cutin_1.5}" SSHLOGIN="${login:-:}" \
         tools/report/report.sh "${board:-stc89c516rd}" >"$out/log" 2>&1
 }
@@ -115,6 +115,17 @@ faultless only_failed_runs_are_run_again "$wrong"
 rm -f "$out/calls"
 run_report
 faultless nothing_is_run_twice "$([ "$(calls)" = 0 ] || echo "$(calls) runs")"
+
+# What make test has measured, if it has.
+wrong=$(jq -c '.coverage[] | select(.rows != [] or (.caption | test("make test measures it") | not)) | .title' "$out/report/parts/data.json")
+mkdir -p "$out/coverage"
+echo '{"files":[{"file":"a.c","lines":8,"lines_reached":6,"branches":2,"branches_reached":2},{"file":"b.c","lines":2,"lines_reached":2,"branches":0,"branches_reached":0}]}' >"$out/coverage/host.json"
+echo '{"boards":["one","two"],"files":[{"file":"c.c","instructions":30,"run":20,"explained":9}]}' >"$out/coverage/chip.json"
+run_report
+[ "$(jq -c '[.coverage[].rows[]]' "$out/report/parts/data.json")" = '[["a.c","6 of 8","2 of 2"],["b.c","2 of 2","–"],["all","8 of 10","2 of 2"],["","80 %","100 %"],["c.c","20 of 30",9],["all","20 of 30",9],["","66.6 %",""]]' ] ||
+    wrong="$wrong $(jq -c '[.coverage[].rows[]]' "$out/report/parts/data.json")"
+grep -q 'on one, two, as make test found on 20' "$out/report/index.html" || wrong="$wrong the boards are not said"
+faultless the_page_shows_what_the_tests_reach "$wrong"
 
 # Another drive, another image (here of another board): other results. The old ones stay good.
 rm -f "$out/calls"

@@ -175,17 +175,27 @@ function runTab(tab) {
     return { panel, player, yourself };
 }
 
-function boardsTab() {
-    const panel = make("div", {}, make("p", {}, "What each controller takes on each board that holds it, as the linker and the simulator count it."));
-    for (const sheet of data.sheets)
+/* A tab of tables. */
+function sheetsTab(about, sheets) {
+    const panel = make("div", {}, make("p", {}, about));
+    for (const sheet of sheets)
         panel.append(make("section", { class: "card" }, make("h2", {}, sheet.title), make("p", { class: "note" }, sheet.caption),
             make("div", { class: "scroll" }, make("table", {},
                 make("thead", {}, make("tr", {}, ...sheet.head.map((text) => make("th", {}, text)))),
                 make("tbody", {}, ...sheet.rows.map((row) => make("tr", {}, ...row.map((text) => make("td", {}, text)))))))));
-    for (const text of data.texts)
-        panel.append(make("section", { class: "card" }, make("h2", {}, text.title), make("p", { class: "note" }, text.caption),
-            make("pre", { class: "scroll" }, text.body)));
     return { panel, player: null, yourself: null };
+}
+
+function boardsTab() {
+    const tab = sheetsTab("What each controller takes on each board that holds it, as the linker and the simulator count it.", data.sheets);
+    for (const text of data.texts)
+        tab.panel.append(make("section", { class: "card" }, make("h2", {}, text.title), make("p", { class: "note" }, text.caption),
+            make("pre", { class: "scroll" }, text.body)));
+    return tab;
+}
+
+function coverageTab() {
+    return sheetsTab("What of the firmware the tests reach. make test fails if anything is left without a reason.", data.coverage);
 }
 
 const tabs = [];
@@ -221,6 +231,7 @@ function start() {
 
     for (const tab of data.tabs) tabs.push({ id: tab.id, title: tab.title, build: () => runTab(tab) });
     tabs.push({ id: "boards", title: "Boards", build: boardsTab });
+    tabs.push({ id: "coverage", title: "Coverage", build: coverageTab });
     for (const tab of tabs) {
         tab.button = make("button", { type: "button", role: "tab", onclick: () => { openTab(tab); history.replaceState(null, "", `#${tab.id}`); } }, tab.title);
         document.getElementById("tabs").append(tab.button);

@@ -18,7 +18,8 @@ set -euo pipefail
 
 board=${1:?"which board?"}
 : "${MAP:=normal}" "${ONLY:=*}" "${IMAGES:=}" "${JOBS:=}" "${SSHLOGIN:=:}" "${ENGINE:=fast}" "${SAMPLE:=100}"
-: "${DRIVE:=build/drive}" "${REPORT_OUT:=build/report}" "${WASM:=build/wasm/page.wasm}"
+# Where what make test has measured lies, from the environment, too: COVERAGE
+: "${DRIVE:=build/drive}" "${COVERAGE:=build/coverage}" "${REPORT_OUT:=build/report}" "${WASM:=build/wasm/page.wasm}"
 export DRIVE
 here=tools/report
 runs=$REPORT_OUT/runs
@@ -335,6 +336,17 @@ costs() {
     text_files "${texts[@]}" | jq -c --rawfile memory "$work/memory" -f $here/costs.jq
 }
 
+# What of the firmware the tests reach, if make test has left that.
+coverage() {
+    local name when=()
+    for name in host chip; do
+        when+=("$(date -r "$COVERAGE/$name.json" '+%Y-%m-%d, %H:%M' 2>/dev/null || echo never)")
+        cat "$COVERAGE/$name.json" 2>/dev/null >"$work/coverage_$name.json" || true
+    done
+    jq -nc --arg host_at "${when[0]}" --arg chip_at "${when[1]}" --slurpfile host "$work/coverage_host.json" \
+        --slurpfile chip "$work/coverage_chip.json" -f $here/coverage.jq
+}
+
 # Whether the drives of the sample come out alike in both engines. What does not agree is trouble.
 compare_engines() {
     sed "s|^|$runs/|" <(cut -f4 "$work/sample") >"$work/keys"
@@ -352,10 +364,11 @@ write_page() {
     done
     for part in "${collecting[@]}"; do wait "$part"; done
     costs >"$work/costs.json"
+    coverage >"$work/coverage.json"
     for id in $ids; do echo "$work/$id.json"; done | xargs cat |
-        jq -sc --arg made "Board $board, $count drives by the engine $ENGINE, $lost failed." --slurpfile costs "$work/costs.json" \
+        jq -sc --arg made "Board $board, $count drives by the engine $ENGINE, $lost failed." --slurpfile costs "$work/costs.json" --slurpfile coverage "$work/coverage.json" \
             --slurpfile agreement "$work/agreement.json" \
-            '{made: ([$made, $agreement[0].said] | map(select(. != "")) | join(" ")), disagree: $agreement[0].differ, tabs: .} + $costs[0]' | sed 's/</\\u003c/g' >"$work/data.json"
+            '{made: ([$made, $agreement[0].said] | map(select(. != "")) | join(" ")), disagree: $agreement[0].differ, tabs: .} + $costs[0] + $coverage[0]' | sed 's/</\\u003c/g' >"$work/data.json"
     cat $here/selftest.js $here/figures.js $here/scenes.js $here/player.js $here/yourself.js $here/page.js >"$work/script.js"
     base64 -w 0 "$WASM" >"$work/chip.txt" 2>/dev/null || echo "no $WASM, so the page has no chip; run make report" >>"$work/trouble"
     echo >>"$work/chip.txt"
