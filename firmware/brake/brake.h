@@ -74,8 +74,8 @@ extern struct brake_output brake;
                             fault >= BRAKE_FAULT_TABLE ? FAULT_LASTING : FAULT_ON); */
 void brake_init(uint8_t fault);
 
-/* Goes to FAULT for one of the lasting faults, unless one is there. BRAKE_FAULT_OUTPUT is STOP, too,
- * as the STOP pin still brakes; not where FAULT_PCT is 0. */
+/* Goes to FAULT for one of the lasting faults, unless one is there. BRAKE_FAULT_OUTPUT is STOP,
+ * too, as either pin still brakes; not where FAULT_PCT is 0. */
 /*@ requires fault_lasts(fault);
     ensures fault_state == FAULT_LASTING;
     ensures brake.state == BRAKE_FAULT;

@@ -77,7 +77,7 @@ by_wp() { # UNIT
     local unit=$1 seconds label words goals left status=0 rounds=() log=$out/$1.log functions
     functions=${FUNCTIONS:-$(proved_by "$unit")}
     for seconds in ${TIMEOUTS:-4 60}; do
-        rounds+=(-then -wp -wp-fct="$functions" -wp-prop=-@tried,-tried -wp-timeout "$seconds")
+        rounds+=(-then -wp -wp-fct="$functions" -wp-prop="-@tried,-tried" -wp-timeout "$seconds")
     done
     if ! run "$unit" "tests/prove/$unit.c" -wp-rte -wp-prover z3,cvc4 -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" \
         "${rounds[@]}" -then -no-wp -report-csv "$out/$unit.csv"; then
@@ -177,9 +177,11 @@ by_contract() {
 }
 
 # All that are asked for, two at a time; first those that say "long: yes", so that none of them is left over at the end.
-[ $# -gt 0 ] || mapfile -t all < <(find tests/prove -name '*_*.c' -o -name sizes.c | xargs basename -s .c | sort)
-for unit in "${@:-${all[@]}}"; do
-    echo "${unit} $(said "$unit" long)"
+all=("$@")
+[ $# -gt 0 ] || all=(tests/prove/*_*.c tests/prove/sizes.c)
+for unit in "${all[@]}"; do
+    unit=$(basename -s .c "$unit")
+    echo "$unit $(said "$unit" long)"
 done | sort -s -r -k 2 | sed 's/ .*//' >"$out/units"
 # shellcheck disable=SC2016  # the inner shell expands it
 xargs -P 2 -I UNIT bash -c '"$0" "$1" >"$2/$1.txt" 2>&1; status=$?; cat "$2/$1.txt"; [ $status -eq 0 ]' "$PWD/tests/prove/prove.sh" UNIT "$out" <"$out/units" || status=1
