@@ -17,7 +17,7 @@ static void check_cells(void)
     uint16_t x;
     uint8_t cell = 0;
 
-    for (x = 0; x < 8000; x++) {
+    for (x = 0; x < 9000; x++) {
         if (x > LUT_IN1_MIN_MILLI && cell < LUT_IN1_CELLS - 1 &&
             (uint32_t)(x - LUT_IN1_MIN_MILLI) * LUT_IN1_CELLS >= (cell + 1U) * LUT_IN1_SPAN_MILLI) {
             cell++;

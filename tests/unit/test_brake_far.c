@@ -19,6 +19,7 @@
 #undef FAULT
 #include "latch.c"
 #include "warning.c"
+#include "cells.h"
 
 static uint16_t place_mm;
 
@@ -582,6 +583,99 @@ static void test_a_car_that_stands_is_held_after_the_same_time(void)
     TEST_ASSERT_EQUAL_UINT8(EASE_HOLD_PCT, ease_pct(7, 3000));
 }
 
+/* --- counts of the latch and the warning ------------------------------------------------------ */
+
+static void test_a_beginning_forgets_the_counts(void)
+{
+    clear_readings = elsewhere_readings = opening_readings = early_readings = 3;
+    latch_init();
+    TEST_ASSERT_EQUAL_UINT8(0, clear_readings);
+    TEST_ASSERT_EQUAL_UINT8(0, elsewhere_readings);
+    TEST_ASSERT_EQUAL_UINT8(0, opening_readings);
+    TEST_ASSERT_EQUAL_UINT8(0, early_readings);
+}
+
+static void see(uint16_t dist_mm, bool is_of_target)
+{
+    range_reading.kind = RANGE_ECHO;
+    range_reading.dist_mm = dist_mm;
+    latch_take(is_of_target);
+}
+
+static void test_a_near_echo_begins_the_opening_anew(void)
+{
+    opening_readings = 3;
+    see(LATCH_NEAR_MM, true);
+    TEST_ASSERT_EQUAL_UINT8(0, opening_readings);
+}
+
+static void test_a_target_opens_when_it_is_faster_than_the_limit_in_six_readings(void)
+{
+    uint8_t i;
+
+    closing_smooth.opening_mmps = LATCH_OPENING_MMPS + 1U;
+    for (i = 1; i < 20; i++) {
+        TEST_ASSERT_EQUAL(i >= 6, is_opening());
+    }
+    closing_smooth.opening_mmps = LATCH_OPENING_MMPS;
+    TEST_ASSERT_FALSE(is_opening());
+    closing_smooth.opening_mmps = LATCH_OPENING_MMPS + 1U;
+    TEST_ASSERT_FALSE(is_opening());
+}
+
+/* OPENING has no time in which a stray echo is left out. */
+static void test_another_echo_ends_opening_at_once(void)
+{
+    latch_state = LATCH_OPENING;
+    early_readings = 3;
+    see(3000, false);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+}
+
+static void test_another_target_ends_stop_with_its_hundredth_reading(void)
+{
+    uint8_t i;
+
+    latch_hold();
+    target_worth = TARGET_NEW;
+    for (i = 1; i < 100; i++) {
+        see(3000, true);
+        TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+    }
+    see(3000, true);
+    TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+}
+
+static void test_a_warning_lasts_half_a_second(void)
+{
+    uint8_t i;
+
+    target_worth = TARGET_TRACKED;
+    TEST_ASSERT_TRUE(warning_take(true));
+    for (i = 1; i < 50; i++) {
+        TEST_ASSERT_TRUE(warning_take(false));
+    }
+    TEST_ASSERT_FALSE(warning_take(false));
+}
+
+/* --- table ------------------------------------------------------------------------------------ */
+
+static void test_every_distance_and_speed_lies_in_its_cell(void)
+{
+    check_cells();
+}
+
+/* Within 1/16 s, from where the table ends. */
+static void test_a_target_that_entered_came_from_where_the_table_ends(void)
+{
+    uint16_t way_mm;
+
+    for (way_mm = 1; way_mm <= LAW_TUNED_FIRST_MM; way_mm++) {
+        law_step(TARGET_ENTERED, (uint16_t)(8000U - way_mm));
+        TEST_ASSERT_EQUAL_UINT8(cell_col((uint16_t)(16U * way_mm), 0), law_answer.col);
+    }
+}
+
 /* --- sums ------------------------------------------------------------------------------------- */
 
 /* Bytes of what must not change between two readings. */
@@ -596,6 +690,9 @@ static const struct {
     {(void *)&aside_mm, sizeof aside_mm},
     {(void *)&stuck_readings, sizeof stuck_readings},
     {(void *)&clears, sizeof clears},
+    {(void *)&latch_state, sizeof latch_state},
+    {(void *)&clear_readings, sizeof clear_readings},
+    {(void *)&elsewhere_readings, sizeof elsewhere_readings},
     {(void *)&run_speed, sizeof run_speed},
     {(void *)&run_way, sizeof run_way},
     {(void *)&opening_readings, sizeof opening_readings},
@@ -674,6 +771,14 @@ int main(void)
     RUN_TEST(test_the_rise_has_its_limits);
     RUN_TEST(test_a_target_is_in_reach_up_to_8_m);
     RUN_TEST(test_a_car_that_stands_is_held_after_the_same_time);
+    RUN_TEST(test_a_beginning_forgets_the_counts);
+    RUN_TEST(test_a_near_echo_begins_the_opening_anew);
+    RUN_TEST(test_a_target_opens_when_it_is_faster_than_the_limit_in_six_readings);
+    RUN_TEST(test_another_echo_ends_opening_at_once);
+    RUN_TEST(test_another_target_ends_stop_with_its_hundredth_reading);
+    RUN_TEST(test_a_warning_lasts_half_a_second);
+    RUN_TEST(test_every_distance_and_speed_lies_in_its_cell);
+    RUN_TEST(test_a_target_that_entered_came_from_where_the_table_ends);
     RUN_TEST(test_each_bit_changes_the_sum);
     return UNITY_END();
 }

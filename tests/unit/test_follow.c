@@ -239,6 +239,31 @@ static void test_robot_waits_braked_and_a_lost_link_brakes_and_asks_for_nothing(
     TEST_ASSERT_EQUAL_UINT8(60, follow.brake_pct);
 }
 
+static void test_a_lost_link_closes_the_throttle(void)
+{
+    situation(9000, 0, false);
+    TEST_ASSERT_EQUAL_UINT8(FOLLOW_CONTROL, follow.state);
+    TEST_ASSERT_EQUAL_UINT16(2000, follow.throttle_us);
+    follow_lose(60);
+    TEST_ASSERT_EQUAL_UINT16(1000, follow.throttle_us);
+}
+
+static void test_a_beginning_forgets_what_was_asked_for(void)
+{
+    situation(1500, 1800, false);
+    TEST_ASSERT_TRUE(follow.asks_for_lane);
+    follow_init();
+    TEST_ASSERT_EQUAL_UINT8(FOLLOW_WAITING, follow.state);
+    TEST_ASSERT_EQUAL_UINT8(0, follow.change_x2);
+    TEST_ASSERT_FALSE(follow.asks_for_lane);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+#if FOLLOW_YIELDS
+    one_frame(1500, 1800);
+    TEST_ASSERT_FALSE(follow.asks_for_lane);
+    TEST_ASSERT_EQUAL_UINT8(100, follow.brake_pct);
+#endif
+}
+
 static void test_check_sum_covers_both_outputs(void)
 {
     TEST_ASSERT_EQUAL_HEX16(LUT_CRC16, lut_crc16(LUT_CRC16_START, 0, LUT_BYTES));
@@ -323,25 +348,33 @@ static void decide(int gap_mm, int closing_mmps, int *command_x2, int *change_x2
     *change_x2 = change_is[0] == change_is[1] ? 1 : change_is[1] > change_is[0] ? 2 : 0;
 }
 
+static void expect_system(int gap_mm, int closing_mmps)
+{
+    int command_x2, change_x2;
+
+    decide(gap_mm, closing_mmps, &command_x2, &change_x2);
+    follow.gap_mm = (uint16_t)gap_mm;
+    follow.own_mmps = (uint16_t)(closing_mmps + 2000);
+    follow.lead_mmps = 2000;
+    follow_look_up();
+    if (follow.command_x2 != command_x2 || follow.change_x2 != change_x2) {
+        char text[120];
+
+        snprintf(text, sizeof text, "gap %d mm, closing %d mm/s: %d %d, wanted %d %d", gap_mm,
+                 closing_mmps, follow.command_x2, follow.change_x2, command_x2, change_x2);
+        TEST_FAIL_MESSAGE(text);
+    }
+}
+
 static void test_thresholds_and_cells_are_the_whole_system(void)
 {
     for (int gap_mm = 0; gap_mm <= 10000; gap_mm++) {
         for (int closing_mmps = -2000; closing_mmps <= 2000; closing_mmps += 20) {
-            int command_x2, change_x2;
-
-            decide(gap_mm, closing_mmps, &command_x2, &change_x2);
-            follow.gap_mm = (uint16_t)gap_mm;
-            follow.own_mmps = (uint16_t)(closing_mmps + 2000);
-            follow.lead_mmps = 2000;
-            follow_look_up();
-            if (follow.command_x2 != command_x2 || follow.change_x2 != change_x2) {
-                char text[120];
-
-                snprintf(text, sizeof text, "gap %d mm, closing %d mm/s: %d %d, wanted %d %d",
-                         gap_mm, closing_mmps, follow.command_x2, follow.change_x2, command_x2,
-                         change_x2);
-                TEST_FAIL_MESSAGE(text);
-            }
+            expect_system(gap_mm, closing_mmps);
+        }
+        for (int off_mmps = -1; off_mmps <= 1; off_mmps += 2) {
+            expect_system(gap_mm, -1000 + off_mmps);
+            expect_system(gap_mm, 1000 + off_mmps);
         }
     }
 }
@@ -380,6 +413,8 @@ int main(void)
     RUN_TEST(test_gap_beyond_the_table_is_a_far_one);
     RUN_TEST(test_payload_out_of_range_is_refused_and_changes_nothing);
     RUN_TEST(test_robot_waits_braked_and_a_lost_link_brakes_and_asks_for_nothing);
+    RUN_TEST(test_a_lost_link_closes_the_throttle);
+    RUN_TEST(test_a_beginning_forgets_what_was_asked_for);
     RUN_TEST(test_check_sum_covers_both_outputs);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_thresholds_and_cells_are_the_whole_system);

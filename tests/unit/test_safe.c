@@ -4,6 +4,10 @@
 #include <stddef.h>
 #include "unity.h"
 
+#ifndef __SDCC_mcs51
+#include <math.h>
+#endif
+
 void setUp(void)
 {
 }
@@ -43,6 +47,20 @@ static void test_it_never_falls_as_speed_rises(void)
 }
 
 #ifndef __SDCC_mcs51
+/* 2.5 s of thinking and 5 m, and the square of the speed: rounded down where the 8051 is. */
+static void test_each_part_is_rounded_as_the_comments_say(void)
+{
+    const double factor = (1 / 5.0 - 1 / 13.0) * 100 / (36 * 36) * 128;
+
+    for (unsigned own_dkmh = 0; own_dkmh <= SAFE_SPEED_MAX_DKMH; own_dkmh++) {
+        unsigned square = own_dkmh * own_dkmh / 128;
+        double braking_cm = square + floor(square * round((factor - 1) * 65536) / 65536);
+        double sum_cm = own_dkmh * 7 - own_dkmh / 18 + 500 + braking_cm;
+
+        TEST_ASSERT_EQUAL_UINT16(fmin(sum_cm, 65535), safe_distance_cm((uint16_t)own_dkmh));
+    }
+}
+
 static void test_it_is_the_formula_to_2_2_cm(void)
 {
     for (uint16_t own_dkmh = 0; own_dkmh <= SAFE_SPEED_MAX_DKMH; own_dkmh++) {
@@ -63,6 +81,7 @@ int main(void)
     RUN_TEST(test_beyond_16_bits_it_stays_at_the_top);
     RUN_TEST(test_it_never_falls_as_speed_rises);
 #ifndef __SDCC_mcs51
+    RUN_TEST(test_each_part_is_rounded_as_the_comments_say);
     RUN_TEST(test_it_is_the_formula_to_2_2_cm);
 #endif
     return UNITY_END();
