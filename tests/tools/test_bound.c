@@ -1034,44 +1034,6 @@ static void test_each_vector_is_one(void)
     }
 }
 
-/* --- memory ------------------------------------------------------------------------------------ */
-
-/* Follows and counts a program, and meets a function that it cannot follow. */
-static void follow_once(void)
-{
-    tearDown();
-    setUp();
-    test_a_long_function();
-    PUT(0x400, 0xC0, 0xE0, 0xDF, 0xFE, 0xA5);
-    refuses_to_count(0x400, false, "at 0x0404 (0x0000): 0xA5 is no instruction", "odd");
-    tearDown();
-    setUp();
-    test_the_last_caller_is_named();
-    tearDown();
-    setUp();
-    test_a_recursion_is_told_with_its_whole_path();
-}
-
-static size_t bytes_in_use(void)
-{
-    struct mallinfo2 info = mallinfo2();
-
-    return info.uordblks + info.hblkhd;
-}
-
-static void test_that_all_memory_is_given_back(void)
-{
-    size_t before = 0;
-
-    for (int i = 0; i < 5; i++) {
-        follow_once();
-        if (i == 2) { /* what malloc keeps for itself is there by now */
-            before = bytes_in_use();
-        }
-    }
-    TEST_ASSERT_EQUAL_UINT64(before, bytes_in_use());
-}
-
 int main(void)
 {
     UNITY_BEGIN();
@@ -1110,6 +1072,5 @@ int main(void)
     RUN_TEST(test_the_start_sets_the_stack_pointer);
     RUN_TEST(test_the_bits_of_the_priority_register);
     RUN_TEST(test_each_vector_is_one);
-    RUN_TEST(test_that_all_memory_is_given_back);
     return UNITY_END();
 }

@@ -5,6 +5,7 @@
 #include "pace.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unity.h>
 
@@ -229,6 +230,18 @@ static void test_that_the_start_has_the_duty_of_the_pins_before_it(void)
     MEASURES(0, FINAL_BRAKE, 5 * ms);
 }
 
+/* The pin was high for long, and fell just before the start: what it says now is known 15 ms later. */
+static void test_that_a_pin_that_has_just_fallen_is_not_steady(void)
+{
+    rig_init(&rig, &scenario, ms);
+    rig_pin(&rig, 1 * ms, PIN_PWM, false);
+    rig_start(&rig, all_off);
+    rig_advance(&rig, 15 * ms - 1);
+    MEASURES(100, FINAL_BRAKE, 15 * ms - 1);
+    rig_advance(&rig, 15 * ms);
+    MEASURES(0, FINAL_BRAKE, 15 * ms);
+}
+
 static void test_that_a_pin_is_noted_before_the_start(void)
 {
     rig_init(&rig, &scenario, ms);
@@ -451,6 +464,67 @@ static void test_that_a_row_has_the_values_of_its_time(void)
     TEST_ASSERT_EQUAL_DOUBLE(1, row[7]);
 }
 
+/* --- the picture ---------------------------------------------------------------------------- */
+
+static char *drawn;
+static size_t drawn_bytes;
+
+static struct picture new_picture(void)
+{
+    struct picture picture = {
+        .out = open_memstream(&drawn, &drawn_bytes), .width = 60, .view_m = 10};
+
+    TEST_ASSERT_NOT_NULL(picture.out);
+    return picture;
+}
+
+static void was_drawn(const struct picture *picture, const char *expected, int lines)
+{
+    fclose(picture->out);
+    TEST_ASSERT_EQUAL_STRING(expected, drawn);
+    TEST_ASSERT_EQUAL_INT(lines, picture->lines);
+    free(drawn);
+}
+
+#define END  "\033[K\n"
+#define RAIL "------------------------------------------------------------" END
+
+/* The road is 51 characters long, and the car ahead in the middle of its 10 m. */
+static void test_that_the_road_is_drawn(void)
+{
+    const double values[RIG_COLUMNS] = {[RIG_GAP] = 5, [RIG_OWN_SPEED] = 2, [RIG_BRAKE] = 3};
+    struct picture picture = new_picture();
+
+    rig_draw_road(&picture, values, NAN);
+    was_drawn(&picture, RAIL "[##>   .   .   .   .   .   . [##]" END RAIL, 3);
+    picture = new_picture();
+    rig_draw_road(&picture, values, 2);
+    was_drawn(&picture, RAIL "[##>   .   .  |.   .   .   . [##]" END RAIL, 3);
+}
+
+/* A bar is 36 characters long. */
+static void test_that_the_bars_are_drawn(void)
+{
+    double values[RIG_COLUMNS] = {[RIG_GAP] = 2.5, [RIG_OWN_SPEED] = 3.25, [RIG_BRAKE] = 87.5};
+    struct picture picture = new_picture();
+
+    rig_draw_bars(&picture, values);
+    was_drawn(&picture,
+              " gap         2.50 m     #########..........................." END
+              " brake      87.50 %     ################################...." END
+              " speed       3.25 m/s" END,
+              3);
+    values[RIG_GAP] = NAN; /* nothing ahead */
+    values[RIG_BRAKE] = 0;
+    picture = new_picture();
+    rig_draw_bars(&picture, values);
+    was_drawn(&picture,
+              " gap            -       ####################################" END
+              " brake       0.00 %     ...................................." END
+              " speed       3.25 m/s" END,
+              3);
+}
+
 /* --- pace ----------------------------------------------------------------------------------- */
 
 static void test_that_the_shortest_pause_is_the_pace(void)
@@ -486,6 +560,7 @@ int main(void)
     RUN_TEST(test_that_the_brake_is_the_duty);
     RUN_TEST(test_that_stop_comes_before_the_duty);
     RUN_TEST(test_that_the_start_has_the_duty_of_the_pins_before_it);
+    RUN_TEST(test_that_a_pin_that_has_just_fallen_is_not_steady);
     RUN_TEST(test_that_a_pin_is_noted_before_the_start);
     RUN_TEST(test_that_the_throttle_is_a_brake_of_less_than_0);
     RUN_TEST(test_that_steps_of_more_than_2_points_are_counted);
@@ -498,6 +573,8 @@ int main(void)
     RUN_TEST(test_that_lamp_and_buzzer_together_are_one_warning);
     RUN_TEST(test_that_a_lamp_that_is_on_at_the_start_is_a_warning);
     RUN_TEST(test_that_a_row_has_the_values_of_its_time);
+    RUN_TEST(test_that_the_road_is_drawn);
+    RUN_TEST(test_that_the_bars_are_drawn);
     RUN_TEST(test_that_the_shortest_pause_is_the_pace);
     return UNITY_END();
 }

@@ -186,7 +186,7 @@ void rig_init(struct rig *rig, const struct scenario *scenario, int64_t step_ns)
 {
     memset(rig, 0, sizeof *rig);
     car_init(&rig->car, scenario, step_ns);
-    pwm_init(&rig->pwm, 0, true);
+    pwm_init(&rig->pwm, rig->now_ns, true);
     rig->event_s = scenario->event_s;
     rig->event_ns = (int64_t)llround(scenario->event_s * 1e9);
     rig->hold_s = scenario->hold_s;
@@ -203,11 +203,11 @@ void rig_start(struct rig *rig, const bool levels[BOARD_OUTPUTS])
     memcpy(rig->levels, levels, sizeof rig->levels);
     rig->started = true;
     duty_pct = rig->pwm.duty_pct;
-    pwm_init(&rig->pwm, 0, levels[PIN_PWM]);
+    pwm_init(&rig->pwm, rig->now_ns, levels[PIN_PWM]);
     if (rig->has_duty) {
         rig->pwm.duty_pct = duty_pct;
     }
-    car_demand(&rig->car, 0, demand_pct(rig));
+    car_demand(&rig->car, rig->now_ns, demand_pct(rig));
     rig->counted_duty_pct = rig->car.demand_pct;
     note_demand(rig);
     if (!levels[PIN_LAMP] || !levels[PIN_BUZZER]) {
