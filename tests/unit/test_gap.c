@@ -125,6 +125,25 @@ static void test_lead_state_follows_what_is_sure_at_once(void)
     TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_DRIVES, gap.lead);
 }
 
+/* It does not have to brake before, and one that creeps never stood. */
+static void test_a_lead_stands_from_the_first_frame_that_says_so(void)
+{
+    step(3000, 1000, LEAD_STARTS_CMPS, 0);
+    TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_DRIVES, gap.lead);
+    step(3000, 1000, LEAD_STANDS_CMPS, 0);
+    TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_STANDS, gap.lead);
+}
+
+static void test_the_next_small_change_has_to_last_as_long(void)
+{
+    steps(FRAMES_TO_BRAKES, 3000, 1000, 800, LEAD_BRAKES_CMPS2 - 1);
+    TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_BRAKES, gap.lead);
+    steps(FRAMES_TO_DRIVES - 1, 3000, 1000, 800, 0);
+    TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_BRAKES, gap.lead);
+    step(3000, 1000, 800, 0);
+    TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_DRIVES, gap.lead);
+}
+
 static void test_lead_state_follows_small_changes_when_they_last(void)
 {
     steps(FRAMES_TO_BRAKES - 1, 3000, 1000, 800, LEAD_SURELY_CMPS2);
@@ -363,6 +382,8 @@ int main(void)
     RUN_TEST(test_frame_carries_the_set_speed);
     RUN_TEST(test_other_values_out_of_range_are_refused);
     RUN_TEST(test_lead_state_follows_what_is_sure_at_once);
+    RUN_TEST(test_a_lead_stands_from_the_first_frame_that_says_so);
+    RUN_TEST(test_the_next_small_change_has_to_last_as_long);
     RUN_TEST(test_lead_state_follows_small_changes_when_they_last);
     RUN_TEST(test_one_frame_neither_releases_the_brake_nor_opens_the_throttle);
     RUN_TEST(test_car_waits_braked_and_a_lost_link_brakes);
