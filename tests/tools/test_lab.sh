@@ -97,8 +97,8 @@ faultless the_lidar_stops_at_8_5_in_60_drives "$(cat "$out/wrong")"
 # perfect head does not help: that is a limit of its law.
 : >"$out/wrong"
 build/lab attack --runs 30 build/$board/follow.ihx build/$board/follow_paper.ihx >"$out/a" 2>"$out/log" || echo "fails: $(cat "$out/log" "$out/a")" >"$out/wrong"
-build/lab attack --runs 30 build/$board/follow.ihx build/$board/follow_paper.ihx >"$out/b" 2>&1
-cmp "$out/a" "$out/b" >>"$out/wrong" 2>&1
+build/lab attack --runs 30 build/$board/follow.ihx >"$out/b" 2>&1
+sed '/follow_paper/,$d' "$out/a" | cmp - "$out/b" >>"$out/wrong" 2>&1
 awk '/ drives flagged/ { if ($1 != 0) print "flagged: " $0 } / impacts at the limit/ { limits[++n] = $2 }
     END { if (n != 2 || limits[1] > 1 || limits[2] < 3) print "at the limit: " limits[1] " of follow, " limits[2] " of follow_paper" }' "$out/a" >>"$out/wrong"
 faultless attack_finds_what_the_published_follower_does "$(head -c 300 "$out/wrong")"
