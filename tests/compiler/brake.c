@@ -110,7 +110,7 @@ void step(void)
 
 #ifndef __SDCC_mcs51
 
-/* A target that drives for a while, and what a sensor makes of it. */
+/* A target that drives for a while, and what a sensor makes of it: at times one that is stuck. */
 static struct {
     double place_mm, mmps;
     unsigned left, still, held, clear;
@@ -200,7 +200,7 @@ static void draw_reading(uint8_t elapsed_cs)
     if (drive.still == 0) {
         raw = raw_of(drive.place_mm + (double)chance(21) - 10);
     } else {
-        raw = raw_of(drive.place_mm / 1000 * 1000);
+        raw = raw_of((double)((long)(drive.place_mm / 1000) * 1000));
     }
     if (drive.clear != 0) {
         raw = CLEAR_RAW;
