@@ -109,6 +109,75 @@ static void test_other_values_out_of_range_are_refused(void)
     }
 }
 
+/* Each value at its limit, and one beyond. */
+static void test_each_value_has_its_limit(void)
+{
+    static const struct {
+        uint8_t at;
+        int16_t limit, beyond;
+    } __code LIMITS[] = {
+        {0, 25000, 25001}, {2, 5000, 5001}, {4, 5000, 5001}, {6, 1500, 1501}, {6, -1500, -1501}};
+    uint8_t i;
+
+    for (i = 0; i < sizeof LIMITS / sizeof LIMITS[0]; i++) {
+        uint8_t at = LIMITS[i].at;
+
+        send(0);
+        frame_body[at] = (uint8_t)((uint16_t)LIMITS[i].limit >> 8);
+        frame_body[at + 1] = (uint8_t)LIMITS[i].limit;
+        TEST_ASSERT_TRUE(gap_read());
+        frame_body[at] = (uint8_t)((uint16_t)LIMITS[i].beyond >> 8);
+        frame_body[at + 1] = (uint8_t)LIMITS[i].beyond;
+        TEST_ASSERT_FALSE(gap_read());
+    }
+    TEST_ASSERT_EQUAL_INT16(-1500, gap.lead_cmps2);
+}
+
+/* --- beginnings and outputs ------------------------------------------------------------------ */
+
+static void test_a_beginning_forgets_what_was(void)
+{
+    steps(5, 20000, 1000, 1000, -70);
+    TEST_ASSERT_EQUAL_UINT8(GAP_CONTROL, gap.state);
+    frames_other = frames_safe = 1;
+    gap_init();
+    TEST_ASSERT_EQUAL_UINT8(GAP_WAITING, gap.state);
+    TEST_ASSERT_TRUE(gap.stop);
+    TEST_ASSERT_EQUAL_UINT8(100, gap.brake_pct);
+    TEST_ASSERT_EQUAL_UINT16(GAP_THROTTLE_CLOSED_US, gap.throttle_us);
+    TEST_ASSERT_EQUAL_INT16(-800, gap.accel_cmps2);
+    TEST_ASSERT_EQUAL_UINT8(GAP_LEAD_DRIVES, gap.lead);
+    TEST_ASSERT_EQUAL_INT16(-800, asked_cmps2);
+    TEST_ASSERT_EQUAL_UINT8(0, frames_other);
+    TEST_ASSERT_EQUAL_UINT8(0, frames_safe);
+    TEST_ASSERT_EQUAL_UINT16(UINT16_MAX, late_cmps);
+}
+
+static void test_a_lost_link_asks_for_the_brake_that_is_on(void)
+{
+    steps(2, 20000, 1000, 1000, 0);
+    TEST_ASSERT_GREATER_THAN_UINT16(GAP_THROTTLE_CLOSED_US, gap.throttle_us);
+    gap_lose(60);
+    TEST_ASSERT_EQUAL_UINT16(GAP_THROTTLE_CLOSED_US, gap.throttle_us);
+    TEST_ASSERT_EQUAL_INT16(-480, gap.accel_cmps2);
+    TEST_ASSERT_EQUAL_INT16(-480, asked_cmps2);
+    TEST_ASSERT_EQUAL_UINT16(UINT16_MAX, late_cmps);
+    gap_lose(59);
+    TEST_ASSERT_EQUAL_UINT8(60, gap.brake_pct);
+}
+
+static void test_each_acceleration_is_brake_or_throttle(void)
+{
+    for (gap.accel_cmps2 = -800; gap.accel_cmps2 <= 800; gap.accel_cmps2++) {
+        uint16_t size_cmps2 = magnitude_i16(gap.accel_cmps2);
+        bool brakes = gap.accel_cmps2 < 0;
+
+        set_outputs();
+        TEST_ASSERT_EQUAL_UINT8(brakes ? (size_cmps2 + 4U) / 8U : 0, gap.brake_pct);
+        TEST_ASSERT_EQUAL_UINT16(brakes ? 1000U : 1000U + size_cmps2 * 5U / 4U, gap.throttle_us);
+    }
+}
+
 /* --- lead state ------------------------------------------------------------------------------ */
 
 static void test_lead_state_follows_what_is_sure_at_once(void)
@@ -202,6 +271,11 @@ static void test_car_waits_braked_and_a_lost_link_brakes(void)
 }
 
 /* --- EMERGENCY ------------------------------------------------------------------------------- */
+
+static void test_the_reaction_takes_0_35_s(void)
+{
+    TEST_ASSERT_UINT16_WITHIN(20, 3500, in_reaction(10000));
+}
 
 static void test_too_late_is_what_mechanics_say(void)
 {
@@ -357,6 +431,31 @@ static void test_no_impact_wherever_full_brake_from_the_same_reading_avoids_it(v
     TEST_ASSERT_GREATER_THAN_INT32(5000 / SWEEP, avoidable);
 }
 
+/* Where room and opening lie in the table: 1/256 of the way between two nodes, rounded down, by
+ * factors that are rounded down. */
+static void test_the_fuzzy_part_looks_where_room_and_opening_are(void)
+{
+    const double row_factor = floor(LUT_IN1_CELLS * 256 * 65536.0 / 12000);
+    const double col_factor = floor(LUT_IN2_CELLS * 256 * 65536.0 / 16000);
+
+    gap.safe_cm = 2000;
+    for (int room_cm = -1000; room_cm <= 2000; room_cm += 3) {
+        uint16_t row_q8 = (uint16_t)((room_cm + 1000) * 4 * row_factor / 65536);
+
+        for (int opening_cmps = -2000; opening_cmps <= 2000; opening_cmps += 7) {
+            uint16_t col_q8 = (uint16_t)((opening_cmps + 2000) * 4 * col_factor / 65536);
+            int16_t wanted_cmps2 = (int16_t)((lut_between(row_q8, col_q8) - 100) * 8);
+
+            gap.gap_cm = (uint16_t)(2000 + room_cm);
+            gap.own_cmps = 2500;
+            gap.lead_cmps = (uint16_t)(2500 + opening_cmps);
+            if (gap_fuzzy_cmps2() != wanted_cmps2) {
+                TEST_ASSERT_EQUAL_INT(room_cm, opening_cmps);
+            }
+        }
+    }
+}
+
 /* The case that the published law loses: the lead brakes as hard as its own model assumes. */
 static void test_lead_that_brakes_as_the_model_assumes_is_not_hit(void)
 {
@@ -381,17 +480,23 @@ int main(void)
     RUN_TEST(test_set_speed_limits_the_law);
     RUN_TEST(test_frame_carries_the_set_speed);
     RUN_TEST(test_other_values_out_of_range_are_refused);
+    RUN_TEST(test_each_value_has_its_limit);
+    RUN_TEST(test_a_beginning_forgets_what_was);
+    RUN_TEST(test_a_lost_link_asks_for_the_brake_that_is_on);
+    RUN_TEST(test_each_acceleration_is_brake_or_throttle);
     RUN_TEST(test_lead_state_follows_what_is_sure_at_once);
     RUN_TEST(test_a_lead_stands_from_the_first_frame_that_says_so);
     RUN_TEST(test_the_next_small_change_has_to_last_as_long);
     RUN_TEST(test_lead_state_follows_small_changes_when_they_last);
     RUN_TEST(test_one_frame_neither_releases_the_brake_nor_opens_the_throttle);
     RUN_TEST(test_car_waits_braked_and_a_lost_link_brakes);
+    RUN_TEST(test_the_reaction_takes_0_35_s);
     RUN_TEST(test_too_late_is_what_mechanics_say);
     RUN_TEST(test_emergency_ends_when_two_frames_are_safe);
     RUN_TEST(test_own_deceleration_counts_as_measured_and_as_demanded);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_no_impact_wherever_full_brake_from_the_same_reading_avoids_it);
+    RUN_TEST(test_the_fuzzy_part_looks_where_room_and_opening_are);
     RUN_TEST(test_lead_that_brakes_as_the_model_assumes_is_not_hit);
 #endif
     RUN_TEST(test_what_lies_between_two_nodes_is_rounded_down);
