@@ -135,6 +135,8 @@ static struct value get_register(const struct values *values, int n)
     return bank < 0 ? any : values->byte[bank + n];
 }
 
+/* Of what is written to the PSW only the bank stays known; and of the PSW's value on the stack no
+ * other byte learns anything. */
 static void set_byte(struct values *values, const struct values_world *world, int byte,
                      struct value value)
 {
