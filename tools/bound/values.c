@@ -182,8 +182,8 @@ static void set_indirect(struct values *values, const struct values_world *world
             values->slot[pointer.number] = any;
         }
     } else {
-        for (int i = 8; i < RAM; i++) {
-            if (i != world->frame_pointer && (bank < 0 || i < bank || i >= bank + 8)) {
+        for (int i = 8; i < RAM; i++) { /* an unknown bank is taken for the first one */
+            if (i != world->frame_pointer && (i < bank || i >= bank + 8)) {
                 values->byte[i] = any;
             }
         }
@@ -400,6 +400,11 @@ static void step_accumulator(struct values *values, uint8_t opcode)
     case 0x33:
         rotate(values, (opcode & 0x20) != 0, (opcode & 0x10) != 0);
         break;
+    case 0xE0: /* movx */
+    case 0xE2:
+    case 0xE3:
+        values->byte[ACC] = any;
+        break;
     case 0x84: /* div */
         values->byte[ACC] = values->byte[B] = any;
         values->carry = constant(0);
@@ -418,11 +423,6 @@ static void step_accumulator(struct values *values, uint8_t opcode)
         break;
     case 0xD4: /* da */
         values->byte[ACC] = values->carry = any;
-        break;
-    case 0xE0: /* movx */
-    case 0xE2:
-    case 0xE3:
-        values->byte[ACC] = any;
         break;
     case 0xE4: /* clr */
         values->byte[ACC] = constant(0);
