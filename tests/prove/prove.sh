@@ -3,15 +3,16 @@
 # Proves the firmware with Frama-C, `make prove`:
 #     tests/prove/prove.sh [UNIT...]        names of tests/prove/UNIT.c without .c; none: all of them
 # The kinds of unit:
-#     wp_NAME     WP proves that each function keeps its contract, and that no step of it is undefined in C
+#     wp_NAME     WP proves that each function keeps its contract, and that no step of it is undefined in C; the latter
+#                 not where the unit says "defined: by UNIT", which proves that already
 #     eva_NAME    Eva analyses from start, for ever, whatever the machine delivers: no step is undefined
 #     tried_NAME  the program tries all values
 #     sizes       SDCC and Frama-C agree on the machine
 # Prints a line for each unit and for each theorem of it, that is a clause whose label its first comment explains as
 # "theorem LABEL: words". Exits with 1 if anything is open.
 #
-# For test_prove.sh: FUNCTIONS are the only ones of the unit to prove. TIMEOUTS are the times that a prover has for one
-# goal, in seconds, round by round.
+# For test_prove.sh: FUNCTIONS are the only ones of the unit to prove, PROVERS the programs that may, and TIMEOUTS the
+# times that each has for one goal, in seconds, round by round.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 out=build/prove
@@ -76,10 +77,11 @@ open_goals() { # LOG
 by_wp() { # UNIT
     local unit=$1 seconds label words goals left status=0 rounds=() log=$out/$1.log functions
     functions=${FUNCTIONS:-$(proved_by "$unit")}
+    [ -n "$(said "$unit" defined)" ] || rounds=(-wp-rte)
     for seconds in ${TIMEOUTS:-4 60}; do
         rounds+=(-then -wp -wp-fct="$functions" -wp-prop="-@tried,-tried" -wp-timeout "$seconds")
     done
-    if ! run "$unit" "tests/prove/$unit.c" -wp-rte -wp-prover z3,cvc4 -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" \
+    if ! run "$unit" "tests/prove/$unit.c" -wp-prover "${PROVERS:-z3,cvc4}" -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" \
         "${rounds[@]}" -then -no-wp -report-csv "$out/$unit.csv"; then
         echo "$unit: frama-c failed; see $log"
         return 2

@@ -2,6 +2,7 @@
 /* controller: brake
  * proves: main.c
  * long: yes
+ * defined: by eva_brake
  *
  * The brake's main loop, from reset on, whatever the machine delivers.
  *

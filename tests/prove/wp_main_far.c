@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* controller: brake
  * table: brake_far
+ * defined: by eva_brake_far
  *
  * The main loop of brake_far, from reset on, whatever the machine and the TF-Luna deliver. */
 #define SENSOR_tfluna
