@@ -9,67 +9,75 @@
 #
 # INSTANTS, CODE, PCS in the environment: how many instants a drive (1 to 4), random flips of the code and of
 # the program counter a drive. WINDOW: in place of all that, each bit at each cycle of so many milliseconds in
-# each drive; then the table counts bits and cycles, and lies in build/flips/BOARD.space.txt.
+# each drive; then the table counts bits and cycles, and lies in build/flips/BOARD.space.txt. That takes hours: it goes
+# from 10 ms to 10 ms in all drives, and begins again where it was interrupted, as long as the image is the same.
 set -u
+shopt -s nullglob # a kind of fault that was not asked for has no files
 cd "$(dirname "$0")/../.." || exit 2
 . tests/flips/image.sh
 out=build/flips
 mkdir -p "$out"
 instants=${INSTANTS:-4} code=${CODE:-2000} pcs=${PCS:-400} window=${WINDOW:-0}
+slice=$((window < 10 ? window : 10)) # a multiple of 10 ms has a checkpoint
 # SP DPL DPH PCON TCON TMOD TL0 TL1 TH0 TH1 P1 SCON IE P3 IP T2CON RCAP2L RCAP2H TL2 TH2 PSW ACC B
 registers=81-83,87-8D,90,98,A8,B0,B8,C8,CA-CD,D0,E0,F0
 # Drive, the least brake that it must keep, and instants, the most telling one first.
 drives=("approach 0 0.2 0.5 0.8 1.1" "follow 0 0.5 1 0.2 1.5" "stop 100 0.5 0.1 0.8 1.1" "fault 60 0.7 0.4 1 1.2" "start 0 -0.08 -0.14 -0.12 -0.02")
 
 # Each drive draws other bits of the code and of the program counter.
-fly() { # BOARD DRIVE LEAST WHAT AT...
-    local board=$1 drive=$2 least=$3 what=$4 stack
-    shift 4
+fly() { # BOARD DRIVE LEAST WHAT FILE AT...
+    local board=$1 drive=$2 least=$3 what=$4 file=$5 stack
+    shift 5
     stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' "$out/$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
     local options=(--ram=00-FF --seed="$(cksum <<<"$drive" | cut -d " " -f 1)")
     [[ $what != bits && $what != space ]] || options+=("--sfr=$registers")
-    [ "$what" != space ] || options+=("--window=$window" --sample=200)
+    [ "$what" != space ] || options+=("--window=$slice" --sample=200)
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
     build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
         --least="$least" --fault-state="$(variable_at "$out" "$board" fault_state)" --unused="$(printf %X $stack)" \
-        --told="$(variable_at "$out" "$board" stack_unused)" "${options[@]}" -o "$out/$board.$drive.$what.csv" || return
-    [ "$(wc -l <"$out/$board.$drive.$what.csv")" -gt 1 ] || {
-        echo "flips: error: no run is in $out/$board.$drive.$what.csv" >&2
+        --told="$(variable_at "$out" "$board" stack_unused)" "${options[@]}" -o "$file" || return
+    [ "$(wc -l <"$file")" -gt 1 ] || {
+        echo "flips: error: no run is in $file" >&2
         return 1
     }
 }
 
 # The outcomes, a line a drive and kind, of files in which a line is a run, or with counts of bits and cycles.
 summary() { # FILE...
-    local file
     printf '%-10s %-6s %10s %10s %10s %10s %10s %10s %10s\n' drive what runs none corrected safe-stop FAULT watchdog unsafe
-    for file; do
-        [ -f "$file" ] || continue
-        awk -F , -v OFS=' ' -v file="$(basename "$file" .csv)" '
-            BEGIN { names = split("none corrected safe-stop FAULT watchdog unsafe", name, " ") }
-            FNR == 1 { counts = $4 == "none"; next }
-            counts { for (i = 1; i <= names; i++) { count[name[i]] += $(3 + i); runs += $(3 + i) } }
-            !counts { runs++; count[$6 == "lost" ? "unsafe" : $6]++ }
-            END {
-                split(file, part, ".")
-                printf "%-10s %-6s %10d", part[2], part[3], runs
-                for (i = 1; i <= names; i++) printf " %10d", count[name[i]]
+    awk -F , '
+        BEGIN { names = split("none corrected safe-stop FAULT watchdog unsafe", name, " ") }
+        FNR == 1 {
+            counts = $4 == "none"
+            split(FILENAME, part, "[./]")
+            kind = sprintf("%-10s %-6s", part[4], part[5])
+            if (!(kind in runs)) { kinds[++n] = kind; runs[kind] = 0 }
+            next
+        }
+        counts { for (i = 1; i <= names; i++) { count[kind name[i]] += $(3 + i); runs[kind] += $(3 + i) } }
+        !counts { runs[kind]++; count[kind ($6 == "lost" ? "unsafe" : $6)]++ }
+        END {
+            for (k = 1; k <= n; k++) {
+                printf "%s %10d", kinds[k], runs[kinds[k]]
+                for (i = 1; i <= names; i++) printf " %10d", count[kinds[k] name[i]]
                 print ""
-            }' "$file"
-    done
+            }
+        }' "$@"
 }
 
 # The ten addresses of a kind that are unsafe most often, with why.
 worst() { # BOARD WHAT
+    local files=("$out/$1".*."$2".csv "$out/$1".*."$2".*.csv)
+    [ ${#files[@]} -gt 0 ] || return
     echo
     echo "the worst of $2: unsafe ones, place, address, why"
-    if [ "$2" = space ]; then
-        awk -F , 'FNR > 1 && $9 > 0 { n[$1 " " $2] += $9 } END { for (place in n) print n[place], place }' "$out/$1".*."$2".csv
-    else
-        awk -F , 'FNR > 1 && ($6 == "unsafe" || $6 == "lost") { place = $1 " " ($1 == "pc" ? "bit " $4 : $3); n[place]++; if (!index(why[place], $7)) why[place] = why[place] " " $7 }
-            END { for (place in n) print n[place], place why[place] }' "$out/$1".*."$2".csv
-    fi | sort -k1,1nr -k2 | head -n 10 | sed 's/^/  /'
+    awk -F , '
+        FNR == 1 { counts = $4 == "none"; next }
+        counts && $9 > 0 { n[$1 " " $2] += $9 }
+        !counts && ($6 == "unsafe" || $6 == "lost") { place = $1 " " ($1 == "pc" ? "bit " $4 : $3); n[place]++; if (!index(why[place], $7)) why[place] = why[place] " " $7 }
+        END { for (place in n) print n[place], place why[place] }' "${files[@]}" |
+        sort -k1,1nr -k2 | head -n 10 | sed 's/^/  /'
 }
 
 # For the report, of the first board: of each byte the worst that any bit of it came to; a register's line is
@@ -84,17 +92,23 @@ map() { # BOARD
 
 # Each bit at each cycle.
 every_cycle() { # BOARD
-    local board=$1 name least at
-    rm -f "$out/$board".*.space.csv
-    for drive in "${drives[@]}"; do
-        read -r name least at _ <<<"$drive"
-        fly "$board" "$name" "$least" space "$at" || exit 1
+    local board=$1 name least at from file
+    cmp -s "$out/$board/brake.ihx" "$out/$board.space.ihx" || rm -f "$out/$board".*.space.*.csv
+    cp "$out/$board/brake.ihx" "$out/$board.space.ihx"
+    for ((from = 0; from < window; from += slice)); do
+        for drive in "${drives[@]}"; do
+            read -r name least at _ <<<"$drive"
+            file=$out/$board.$name.space.$from.csv
+            at=$(awk -v at="$at" -v from="$from" 'BEGIN { printf "%.3f", at + from / 1000 }')
+            [ -f "$file" ] || fly "$board" "$name" "$least" space "$file" "$at" || exit 1
+        done
+        {
+            echo "$board: what became of each bit, flipped at each cycle of $((from + slice)) ms"
+            summary "$out/$board".*.space.*.csv
+            worst "$board" space
+        } >"$out/$board.space.txt"
     done
-    {
-        echo "$board: what became of each bit, flipped at each cycle of $window ms"
-        summary "$out/$board".*.space.csv
-        worst "$board" space
-    } | tee "$out/$board.space.txt"
+    cat "$out/$board.space.txt"
 }
 
 # Each bit at some instants; the code and the program counter by chance.
@@ -105,10 +119,10 @@ some_instants() { # BOARD
         read -r name least at <<<"$drive"
         # shellcheck disable=SC2206  # a list of words
         at=($at)
-        fly "$board" "$name" "$least" bits "${at[@]:0:instants}" || exit 1
-        [ "$pcs" -eq 0 ] || fly "$board" "$name" "$least" pc "${at[@]:0:instants}" || exit 1
-        [ "$code" -eq 0 ] || fly "$board" "$name" "$least" code "${at[@]:0:instants}" || exit 1
-        [ "$instants" -lt 4 ] || fly "$board" "$name" "$least" stuck "${at[0]}" || exit 1
+        fly "$board" "$name" "$least" bits "$out/$board.$name.bits.csv" "${at[@]:0:instants}" || exit 1
+        [ "$pcs" -eq 0 ] || fly "$board" "$name" "$least" pc "$out/$board.$name.pc.csv" "${at[@]:0:instants}" || exit 1
+        [ "$code" -eq 0 ] || fly "$board" "$name" "$least" code "$out/$board.$name.code.csv" "${at[@]:0:instants}" || exit 1
+        [ "$instants" -lt 4 ] || fly "$board" "$name" "$least" stuck "$out/$board.$name.stuck.csv" "${at[0]}" || exit 1
     done
     {
         echo "$board: what became of flipped bits"
