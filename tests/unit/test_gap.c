@@ -310,6 +310,31 @@ static void test_too_late_is_what_mechanics_say(void)
     TEST_ASSERT_TRUE(gap_is_too_late(0, 750));
 }
 
+/* The least gap that is not too late. */
+static uint16_t least_gap_cm(uint16_t own_cmps, uint16_t lead_cmps, int16_t lead_cmps2)
+{
+    gap.own_cmps = own_cmps;
+    gap.lead_cmps = lead_cmps;
+    gap.lead_cmps2 = lead_cmps2;
+    gap.gap_cm = 0;
+    while (gap_is_too_late(0, 750)) {
+        gap.gap_cm++;
+    }
+    return gap.gap_cm;
+}
+
+/* 40 m/s are gone after 106.7 m with 7.5 m/s2, and after 106.8 m with 0.01 m/s2 less. */
+static void test_only_a_lead_that_brakes_needs_more_room(void)
+{
+    uint16_t steady_cm = least_gap_cm(4500, 500, 0);
+
+    TEST_ASSERT_UINT16_WITHIN(30, 10667 + 1400 + 50, steady_cm);
+    TEST_ASSERT_UINT16_WITHIN(10, steady_cm + 14U, least_gap_cm(4500, 500, -1));
+    TEST_ASSERT_EQUAL_UINT16(steady_cm, least_gap_cm(4500, 500, 1));
+    TEST_ASSERT_EQUAL_UINT16(2, less(7, 5));
+    TEST_ASSERT_EQUAL_UINT16(0, less(5, 7));
+}
+
 static void test_emergency_ends_when_two_frames_are_safe(void)
 {
     steps(2, 5000, 1500, 1500, 0);
@@ -492,6 +517,7 @@ int main(void)
     RUN_TEST(test_car_waits_braked_and_a_lost_link_brakes);
     RUN_TEST(test_the_reaction_takes_0_35_s);
     RUN_TEST(test_too_late_is_what_mechanics_say);
+    RUN_TEST(test_only_a_lead_that_brakes_needs_more_room);
     RUN_TEST(test_emergency_ends_when_two_frames_are_safe);
     RUN_TEST(test_own_deceleration_counts_as_measured_and_as_demanded);
 #ifndef __SDCC_mcs51
