@@ -237,6 +237,29 @@ static void test_what_cannot_be_followed_is_refused(void)
     }
 }
 
+/* So many push acc, then as many pop acc; ret. */
+static void test_the_most_that_a_function_may_push(void)
+{
+    for (uint16_t most = VALUES_DEPTH_MAX; most <= VALUES_DEPTH_MAX + 1; most++) {
+        uint16_t at = 0x100;
+
+        tearDown();
+        setUp();
+        put_start();
+        is_named(0x100, "work");
+        for (uint16_t i = 0; i < 2 * most; i++, at = (uint16_t)(at + 2)) {
+            PUT(at, i < most ? 0xC0 : 0xD0, 0xE0);
+        }
+        PUT(at, 0x22);
+        if (most == VALUES_DEPTH_MAX) {
+            TEST_ASSERT_TRUE(flow_follow(&flow));
+            TEST_ASSERT_EQUAL_INT(2 + VALUES_DEPTH_MAX, flow_stack(&flow, 0x100));
+        } else {
+            refuses_to_follow("at 0x01FC (work): this function has too much on the stack", "deep");
+        }
+    }
+}
+
 /* mov dptr,#table; jmp @a+dptr; table: ljmp 0x200; ljmp 0x300 */
 static void test_a_switch_goes_everywhere_that_its_table_says(void)
 {
@@ -343,7 +366,7 @@ struct timed {
         uint16_t address;
         int line;
         long rounds;
-    } lines[4];
+    } lines[5];
     long expected; /* cycles; 0: MESSAGE comes */
     const char *message;
 };
@@ -356,7 +379,7 @@ static void start_timed(const struct timed *timed)
     is_named(0x40, "begin");
     is_named(0x100, "work");
     put(0x100, timed->code, timed->count);
-    for (size_t i = 0; i < 4 && timed->lines[i].address != 0; i++) {
+    for (size_t i = 0; i < 5 && timed->lines[i].address != 0; i++) {
         comes_from(timed->lines[i].address, timed->lines[i].line, timed->lines[i].rounds);
     }
     TEST_ASSERT_TRUE_MESSAGE(flow_follow(&flow), timed->name);
@@ -566,6 +589,13 @@ static void test_loops_that_cannot_be_bounded_are_refused(void)
          {{0x100, 6, 5}, {0x102, 7, -1}, {0x103, 7, -1}, {0x105, 8, -1}},
          0,
          "at 0x0103 (x.c:7): " NO_BOUND},
+        /* jc out; outer: loop: jz on; mul; sjmp loop; on: djnz r6,outer; out: jz end; end: ret */
+        {"the line leads away before and after such a loop, not out of it",
+         {0x40, 0x07, 0x60, 0x03, 0xA4, 0x80, 0xFB, 0xDE, 0xF9, 0x60, 0x00, 0x22},
+         12,
+         {{0x100, 6, 5}, {0x102, 6, 5}, {0x105, 7, -1}, {0x107, 8, -1}, {0x109, 6, 5}},
+         0,
+         "at 0x0105 (x.c:7): " NO_BOUND},
         /* outer: nop; inner: mul; djnz r5,inner; djnz r6,outer; ret */
         {"the inner loop has no bound, the outer one has",
          {0x00, 0xA4, 0xDD, 0xFD, 0xDE, 0xFA, 0x22},
@@ -825,6 +855,17 @@ static void test_a_call_that_has_returned_leads_nowhere(void)
     refuses_to_count(0x100, false, "strlen, called at x.c:8: " LIBRARY_LOOP, "jump");
 }
 
+/* Line 7 calls strlen, and line 8 wrap, which calls strlen, too. */
+static void test_the_line_that_leads_to_the_caller_is_named(void)
+{
+    put_library();
+    PUT(0x101, 0x12, 0x03, 0x00, 0x12, 0x02, 0x00, 0x22);
+    comes_from(0x104, 8, LISTING_NO_BOUND);
+    PUT(0x200, 0x12, 0x03, 0x00, 0x22);
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    refuses_to_count(0x200, false, "strlen, called at x.c:8: " LIBRARY_LOOP, "wrap");
+}
+
 /* Two functions call wrap, which calls strlen: the one whose cycles are counted is named. */
 static void test_the_last_caller_is_named(void)
 {
@@ -923,6 +964,7 @@ static void test_the_rounds_of_a_library_function_are_known(void)
     } cases[] = {
         {"_divulong", false, 0, 2 + 32 * 2 + 2 + 2 + 2, NULL},
         {"_divulong", false, 8, 2 + 8 * 2 + 2 + 2 + 2, NULL},
+        {"_mine", false, 1, 2 + 1 * 2 + 2 + 2 + 2, NULL},
         {"_mine", false, 8, 2 + 8 * 2 + 2 + 2 + 2, NULL},
         {"_divulong", true, 0, 0,
          "at 0x0200 (x.c:9): a loop without a bound; write /* rounds: N */ on the line of its "
@@ -1042,6 +1084,7 @@ int main(void)
     RUN_TEST(test_interrupts_and_their_levels);
     RUN_TEST(test_code_in_the_place_of_a_vector);
     RUN_TEST(test_what_cannot_be_followed_is_refused);
+    RUN_TEST(test_the_most_that_a_function_may_push);
     RUN_TEST(test_a_switch_goes_everywhere_that_its_table_says);
     RUN_TEST(test_a_switch_goes_to_the_addresses_in_its_tables);
     RUN_TEST(test_a_frame_on_the_stack);
@@ -1061,6 +1104,7 @@ int main(void)
     RUN_TEST(test_a_long_function);
     RUN_TEST(test_a_loop_of_the_library_names_the_line_that_leads_there);
     RUN_TEST(test_a_call_that_has_returned_leads_nowhere);
+    RUN_TEST(test_the_line_that_leads_to_the_caller_is_named);
     RUN_TEST(test_the_last_caller_is_named);
     RUN_TEST(test_what_is_followed_once_more_may_be_refused);
     RUN_TEST(test_the_cycles_of_a_function_are_found_once);

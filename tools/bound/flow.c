@@ -37,8 +37,7 @@ const char *graph_leading_line(const struct flow *flow, uint16_t owner)
     for (int i = 1; owner != flow->entry && i < function->node_count; i++) {
         const struct node *node = &function->nodes[i];
 
-        if (node->is_known && node->it.target == owner &&
-            flow->listing->places[node->address] != NULL) {
+        if (node->it.target == owner && flow->listing->places[node->address] != NULL) {
             return flow->listing->places[node->address];
         }
     }
@@ -322,9 +321,7 @@ bool graph_settle(struct flow *flow, struct function *function)
         return true;
     }
     work.index = memory_get(1, sizeof *work.index);
-    for (int i = 1; i < function->node_count; i++) {
-        work.index->node[function->nodes[i].address] = i;
-    }
+    work.index->node[function->nodes[1].address] = 1;
     values_enter(&values, &flow->world);
     tell(&work, 1, &values);
     while (work.queued > 0) {
