@@ -366,7 +366,7 @@ static void answer(void)
 }
 
 /*@ requires brake.state <= BRAKE_FAULT;
-    assigns command, is_talking, flow, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
+    assigns command, is_talking, flow, sent, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void talk(void)
 {
     char c;
