@@ -265,6 +265,74 @@ static void test_lost_link_ends_the_check_and_it_begins_anew(void)
 }
 #endif
 
+static void test_a_beginning_forgets_the_wheels_and_the_check(void)
+{
+    park.theta = 1234;
+    park.state = PARK_DRIVING;
+    is_checked = !is_checked;
+    park_init();
+    TEST_ASSERT_EQUAL_INT16(0, park.theta);
+    TEST_ASSERT_EQUAL_UINT8(PARK_WAITING, park.state);
+#ifdef PARK_AS_PUBLISHED
+    TEST_ASSERT_TRUE(is_checked);
+#else
+    TEST_ASSERT_FALSE(is_checked);
+#endif
+}
+
+static void test_the_wheels_turn_by_45_degrees_at_most(void)
+{
+    TEST_ASSERT_EQUAL_INT16(8192, limited(8193));
+    TEST_ASSERT_EQUAL_INT16(8191, limited(8191));
+    TEST_ASSERT_EQUAL_INT16(-8192, limited(-8193));
+    TEST_ASSERT_EQUAL_INT16(-8191, limited(-8191));
+}
+
+/* From 3 m to 7 m in 256 cells. */
+static void test_every_distance_has_its_weight(void)
+{
+    uint16_t dist_mm;
+
+    for (dist_mm = 0; dist_mm < 9000U; dist_mm++) {
+        uint32_t cell = dist_mm < 3000U ? 0 : (dist_mm - 3000UL) * 256U / 4000U;
+        uint8_t wanted = lut_at(cell < 256U ? (uint8_t)cell : 255, 0);
+
+        if (weight_at(dist_mm) != wanted) {
+            TEST_ASSERT_EQUAL_UINT16(0, dist_mm);
+        }
+    }
+}
+
+/* An offset of 1/512 m is 2.5 / 65,536 of a turn, rounded down. */
+static void test_the_near_law_is_odd_down_to_the_smallest_offset(void)
+{
+    park.y = 1000;
+    park.heading = QUARTER_TURN;
+    park.x = 1;
+    park_steer();
+    TEST_ASSERT_EQUAL_INT16(2, park.theta_near);
+    park.x = -1;
+    park_steer();
+    TEST_ASSERT_EQUAL_INT16(-2, park.theta_near);
+}
+
+static void test_it_drives_until_it_is_on_the_line(void)
+{
+    start_from(0, 100, QUARTER_TURN);
+    send(0, 1, QUARTER_TURN);
+    TEST_ASSERT_TRUE(park_read());
+    park_decide();
+    TEST_ASSERT_EQUAL_UINT8(PARK_DRIVING, park.state);
+}
+
+static void test_each_value_is_taken_up_to_its_limit(void)
+{
+    send(PARK_X_MAX_512, PARK_Y_MAX_512, 0);
+    TEST_ASSERT_TRUE(park_read());
+    send(-PARK_X_MAX_512, PARK_Y_MIN_512, 0);
+    TEST_ASSERT_TRUE(park_read());
+}
+
 static void expect_refused(int16_t x, int16_t y)
 {
     send(x, y, 1234);
@@ -331,6 +399,12 @@ static void test_laws_against_floating_point(void)
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_a_beginning_forgets_the_wheels_and_the_check);
+    RUN_TEST(test_the_wheels_turn_by_45_degrees_at_most);
+    RUN_TEST(test_every_distance_has_its_weight);
+    RUN_TEST(test_the_near_law_is_odd_down_to_the_smallest_offset);
+    RUN_TEST(test_it_drives_until_it_is_on_the_line);
+    RUN_TEST(test_each_value_is_taken_up_to_its_limit);
     RUN_TEST(test_published_spot_values);
     RUN_TEST(test_left_and_right_are_mirror_images);
     RUN_TEST(test_car_stands_until_it_knows_where_it_is);

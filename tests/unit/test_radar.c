@@ -590,9 +590,128 @@ static void test_own_car_must_be_possible_without_targets_too(void)
     expect_refused();
 }
 
+/* --- each limit ------------------------------------------------------------------------------- */
+
+static void test_a_beginning_forgets_what_was(void)
+{
+    radar.target = true;
+    radar.brake_pct = frames_less = frames_closing = asked_pct = 1;
+    radar_init();
+    TEST_ASSERT_FALSE(radar.target);
+    TEST_ASSERT_EQUAL_UINT8(0, radar.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(0, frames_less);
+    TEST_ASSERT_EQUAL_UINT8(0, frames_closing);
+    TEST_ASSERT_EQUAL_UINT8(0, asked_pct);
+    frames_less = frames_closing = 1;
+    radar_lose(60);
+    TEST_ASSERT_EQUAL_UINT8(0, frames_less);
+    TEST_ASSERT_EQUAL_UINT8(0, frames_closing);
+}
+
+static void test_the_largest_azimuth_is_possible(void)
+{
+    send(45000, 55000, LANE_AZIMUTH_MAX_TURN16, 1000, 0, RADAR_SIGNED);
+    TEST_ASSERT_TRUE(radar_read());
+    send(45000, 55000, -LANE_AZIMUTH_MAX_TURN16, 1000, 0, RADAR_SIGNED);
+    TEST_ASSERT_TRUE(radar_read());
+}
+
+static void test_a_beat_without_a_sign_is_0_or_more(void)
+{
+    send(0, 60000, 0, 100, 0, 0);
+    TEST_ASSERT_TRUE(radar_read());
+    send(-1, 60000, 0, 100, 0, 0);
+    TEST_ASSERT_FALSE(radar_read());
+    send(20000, 0, 0, 100, 0, 0);
+    TEST_ASSERT_TRUE(radar_read());
+    send(20000, -1, 0, 100, 0, 0);
+    TEST_ASSERT_FALSE(radar_read());
+}
+
+static void test_each_cell_asks_for_its_part_of_the_brake(void)
+{
+    uint8_t row, col;
+
+    for (row = 0; row < LUT_IN1_CELLS; row++) {
+        for (col = 0; col < LUT_IN2_CELLS; col++) {
+            radar.closing_dkmh = (int16_t)(row * 50);
+            radar.range_cm = (uint16_t)(col * 833U);
+            asked_pct = 0;
+            brake();
+            TEST_ASSERT_EQUAL_UINT8(lut_at(row, col), radar.level);
+            TEST_ASSERT_EQUAL_UINT8(10 + (radar.level * 3U + 4U) / 8U, radar.brake_pct);
+            TEST_ASSERT_LESS_THAN_UINT8(99, radar.brake_pct);
+        }
+    }
+}
+
+static bool is_sure_of(uint16_t range_cm, int16_t closing_dkmh)
+{
+    radar.range_cm = range_cm;
+    radar.closing_dkmh = closing_dkmh;
+    return is_sure();
+}
+
+static void test_what_is_sure_is_fast_or_near(void)
+{
+    TEST_ASSERT_TRUE(is_sure_of(5000, 37));
+    TEST_ASSERT_FALSE(is_sure_of(5000, 36));
+    TEST_ASSERT_TRUE(is_sure_of(999, 1));
+    TEST_ASSERT_FALSE(is_sure_of(1000, 1));
+}
+
+static uint8_t wanted_of(uint16_t safe_cm, uint16_t range_cm, int16_t closing_dkmh)
+{
+    radar.safe_cm = safe_cm;
+    radar.range_cm = range_cm;
+    radar.closing_dkmh = closing_dkmh;
+    return wanted_state();
+}
+
+static void test_each_limit_of_what_a_target_asks_for(void)
+{
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, wanted_of(20000, 9999, 100));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, wanted_of(20000, 10000, 100));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, wanted_of(9999, 9999, 100));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, wanted_of(8000, 500, 1));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, wanted_of(8000, 500, 0));
+    radar.state = RADAR_HOLDING;
+    TEST_ASSERT_EQUAL_UINT8(RADAR_BRAKING, wanted_of(8000, 8500, 1)); /* after an approach */
+    is_approach = false;
+    TEST_ASSERT_EQUAL_UINT8(RADAR_HOLDING, wanted_of(8000, 8999, 1));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, wanted_of(8000, 9000, 1));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_HOLDING, wanted_of(8000, 500, -72));
+    TEST_ASSERT_EQUAL_UINT8(RADAR_DRIVER, wanted_of(8000, 500, -73));
+}
+
+static void test_what_a_step_remembers(void)
+{
+    radar.own_dkmh = 60 * KMH;
+    radar.target = true;
+    radar.range_cm = 500;
+    radar.closing_dkmh = 1;
+    is_approach = false;
+    radar_decide();
+    expect(RADAR_BRAKING, radar.brake_pct);
+    TEST_ASSERT_EQUAL_UINT8(1, frames_closing);
+    TEST_ASSERT_TRUE(is_approach);
+    radar.closing_dkmh = 0;
+    radar_decide();
+    radar_decide();
+    expect(RADAR_HOLDING, 0);
+    TEST_ASSERT_EQUAL_UINT8(0, asked_pct);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_a_beginning_forgets_what_was);
+    RUN_TEST(test_the_largest_azimuth_is_possible);
+    RUN_TEST(test_a_beat_without_a_sign_is_0_or_more);
+    RUN_TEST(test_each_cell_asks_for_its_part_of_the_brake);
+    RUN_TEST(test_what_is_sure_is_fast_or_near);
+    RUN_TEST(test_each_limit_of_what_a_target_asks_for);
+    RUN_TEST(test_what_a_step_remembers);
     RUN_TEST(test_the_nearest_of_several_targets_in_the_own_lane_rules);
     RUN_TEST(test_of_two_targets_at_the_same_range_the_first_one_rules);
     RUN_TEST(test_the_last_of_the_most_targets_can_be_the_one);
