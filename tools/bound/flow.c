@@ -405,15 +405,14 @@ bool flow_interrupt(const struct flow *flow, int n, uint16_t *entry)
 
 /* Returns whether the bytes at VECTOR are of the routines that SDCC 4.5 puts between the vectors,
  * for C11's atomic flags: they begin with these instructions, in a program without interrupts at
- * 8. */
+ * 8, and are 65 bytes long, so that they reach beyond the last vector. */
 static bool is_atomic_routine(const struct hexfile *hex, uint16_t vector)
 {
     static const uint8_t begin[] = {0x00, 0x00, 0xE2, 0xFB, 0xEA, 0xF2, 0x80, 0x2C,
                                     0x00, 0x00, 0xE0, 0xFB, 0xEA, 0xF0, 0x80, 0x24};
-    enum { LENGTH = 65 };
 
     for (int i = 3; i <= vector; i++) {
-        if (vector < i + LENGTH && memcmp(&hex->code[i], begin, sizeof begin) == 0) {
+        if (memcmp(&hex->code[i], begin, sizeof begin) == 0) {
             return true;
         }
     }
