@@ -230,6 +230,26 @@ static void test_that_software_may_request_the_serial_interrupt(void)
     }
 }
 
+/* A reset in a routine: none is in service afterwards, high or low. */
+static void test_that_a_reset_ends_all_service(void)
+{
+    for (unsigned high = 0; high < 2; high++) {
+        setUp();
+        load_routines();
+        LOAD(3 + 8 * 1, SJMP, HERE); /* timer 0's routine does not end */
+        set(IP, high ? 0x02 : 0);
+        set(IE, 0x82);
+        set(TCON, TF0);
+        mcs52_run(chip, 50);
+        TEST_ASSERT_EQUAL_HEX16(3 + 8 * 1, mcs52_pc(chip));
+        mcs52_reset(chip);
+        set(IP, high ? 0x08 : 0);
+        set(IE, 0x88);
+        set(TCON, TF1);
+        TEST_ASSERT_TRUE(begins(3, 70) > 0);
+    }
+}
+
 /* Nothing is requested after a reset. */
 static void test_that_a_reset_ends_all_requests(void)
 {
@@ -342,6 +362,7 @@ int main(void)
     RUN_TEST(test_that_each_input_has_its_own_type);
     RUN_TEST(test_that_a_write_comes_after_what_its_instruction_saw);
     RUN_TEST(test_that_software_may_request_the_serial_interrupt);
+    RUN_TEST(test_that_a_reset_ends_all_service);
     RUN_TEST(test_that_a_reset_ends_all_requests);
     RUN_TEST(test_that_a_request_must_last_until_it_is_polled);
     RUN_TEST(test_that_exf2_is_a_request_but_with_dcen);

@@ -206,19 +206,97 @@ static void test_that_a_frame_begins_after_sixteen_ticks(void)
     }
 }
 
-/* After a reset, too: 33 overflows are over in cycle 100, and nothing is left of them. */
-static void test_that_a_reset_begins_with_no_overflow(void)
+/* The same by timer 2 from FFD9h on, which overflows in the states 38 + 39 k. At 6000 the 154th one
+ * comes next, in state 6005. */
+static void test_that_a_frame_by_timer_2_begins_after_sixteen_ticks(void)
+{
+    for (unsigned at = 0; at <= 1000; at += 1000) {
+        unsigned first = at == 0 ? 38 : 6005;
+
+        setUp();
+        watch_line();
+        set(RCAP2L, 0xD9);
+        set(RCAP2H, 0xFF);
+        set(TL2, 0xD9);
+        set(TH2, 0xFF);
+        set(T2CON, BOTH_BY_T2 | TR2);
+        mcs52_run(chip, at);
+        set(SCON, MODE_1);
+        LOAD((uint16_t)at, MOV_DIRECT, SBUF, 0xC3);
+        mcs52_run(chip, 3000);
+        TEST_ASSERT_TRUE(edges[0].cycle == (first + 15 * 39) / 6 + 1);
+    }
+}
+
+/* TI is set in cycle 960, RI in cycle 1019 (below): polled a cycle later, then an LCALL of two, so
+ * INC 44h ends five cycles after the flag. */
+static void test_that_both_flags_interrupt(void)
+{
+    for (int receives = 0; receives < 2; receives++) {
+        unsigned flag = receives ? 1019 : 960;
+
+        setUp();
+        start_timer_1(0xFD);
+        LOAD(0x23, INC_DIRECT, 0x44, RETI);
+        mcs52_jump(chip, 0x1000);
+        set(SCON, MODE_1 | REN);
+        set(IE, 0x90);
+        if (receives) {
+            mcs52_feed(chip, 100, 0xA7, 96);
+        } else {
+            LOAD(0x1000, MOV_DIRECT, SBUF, 0x55);
+        }
+        mcs52_run(chip, flag + 4);
+        TEST_ASSERT_EQUAL(0, mcs52_ram(chip)[0x44]);
+        mcs52_run(chip, flag + 5);
+        TEST_ASSERT_EQUAL(1, mcs52_ram(chip)[0x44]);
+    }
+}
+
+/* In idle the serial port goes on: PCON's IDL is no SMOD. */
+static void test_that_frames_go_on_in_idle(void)
 {
     watch_line();
     start_timer_1(0xFD);
+    set(SCON, MODE_1 | REN);
+    LOAD(0, MOV_DIRECT, SBUF, 0x55, MOV_DIRECT, 0x87, 0x01);
+    mcs52_feed(chip, 100, 0xA7, 96);
+    mcs52_run(chip, 1018);
+    TEST_ASSERT_EQUAL_HEX8(0, sfr(SCON) & RI);
+    mcs52_run(chip, 1100);
+    TEST_ASSERT_EQUAL_HEX8(0xA7, sfr(SBUF));
+    TEST_ASSERT_EQUAL_HEX16(0x2AA, frame_at(96, 10, 96));
+    TEST_ASSERT_EQUAL_UINT64(96 + 960, bytes[0].cycle);
+    setUp();
+    watch_line();
+    set(SCON, MODE_2);
+    LOAD(0, MOV_DIRECT, SBUF, 0x53, MOV_DIRECT, 0x87, 0x01);
+    mcs52_run(chip, 200);
+    TEST_ASSERT_EQUAL_HEX16(0x400 | 0x53 << 1, frame_at(edges[0].cycle, 11, 16 / 3.0));
+}
+
+/* After a reset, too: 33 overflows are over in cycle 100, and nothing is left of them, nor of the
+ * frames on their way. */
+static void test_that_a_reset_begins_anew(void)
+{
+    watch_line();
+    start_timer_1(0xFD);
+    set(SCON, MODE_1 | REN);
+    mcs52_feed(chip, 10, 0x00, 5);
+    LOAD(0, MOV_DIRECT, SBUF, 0x55);
     mcs52_run(chip, 100);
+    TEST_ASSERT_FALSE(mcs52_pin(chip, 3, 1));
     mcs52_reset(chip);
+    TEST_ASSERT_TRUE(mcs52_pin(chip, 3, 1));
+    edge_count = 0;
     mcs52_jump(chip, 0x100);
     start_timer_1(0xFD);
     set(SCON, MODE_1);
     LOAD(0x100, MOV_DIRECT, SBUF, 0xC3);
     mcs52_run(chip, 3000);
     TEST_ASSERT_EQUAL_UINT64(100 + 5 + 15 * 6 + 1, edges[0].cycle);
+    TEST_ASSERT_EQUAL(1, byte_count);
+    TEST_ASSERT_EQUAL_HEX8(0xC3, bytes[0].value);
 }
 
 /* The same ticks: RXD falls in cycle 100, the tick in 101 sees it, and the stop bit's third sample
@@ -363,6 +441,13 @@ static void test_that_a_stopped_timer_sends_nothing(void)
     for (int i = 0; i < 2; i++) {
         setUp();
         watch_line();
+        set(TMOD, 0x20);
+        set(TH1, 0xFD);
+        set(TL1, 0xFD);
+        set(RCAP2H, 0xFF);
+        set(RCAP2L, 0xD9);
+        set(TH2, 0xFF);
+        set(TL2, 0xD9);
         set(T2CON, controls[i]);
         set(SCON, MODE_1 | REN);
         LOAD(0, MOV_DIRECT, SBUF, 0x00);
@@ -403,7 +488,8 @@ static void test_that_a_byte_written_too_early_breaks_a_frame_off(void)
 }
 
 /* A write in the very cycle in which a bit is due: the bit is still the earlier frame's. Each
- * cycle of the first bit is tried. */
+ * cycle of the first bit is tried. Bits are due in the cycles 96, 192, ..; the new frame begins with
+ * the first one after the write, which ends in cycle at + 1. */
 static void test_that_any_moment_of_a_write_is_fine(void)
 {
     for (uint16_t at = 4; at < 204; at++) {
@@ -415,6 +501,29 @@ static void test_that_any_moment_of_a_write_is_fine(void)
         mcs52_run(chip, 4000);
         TEST_ASSERT_EQUAL(1, byte_count);
         TEST_ASSERT_EQUAL_HEX8(0x22, bytes[0].value);
+        TEST_ASSERT_EQUAL_UINT64(96 * ((at + 1) / 96 + 1) + 960, bytes[0].cycle);
+    }
+}
+
+/* The stop bit is from cycle 960 to before 1056: a write that ends there waits, one that ends in 959
+ * breaks the frame off, one that ends in 1056 finds nothing to wait for. */
+static void test_that_the_stop_bit_is_the_time_to_wait(void)
+{
+    static const struct {
+        uint16_t end, second;
+        int count;
+    } cases[] = {{959, 960, 1}, {960, 1056, 2}, {1000, 1056, 2}, {1055, 1056, 2}, {1056, 1152, 2}};
+
+    for (int i = 0; i < 5; i++) {
+        setUp();
+        start_timer_1(0xFD);
+        set(SCON, MODE_1);
+        LOAD(0, MOV_DIRECT, SBUF, 0x11);
+        LOAD((uint16_t)(cases[i].end - 1), MOV_DIRECT, SBUF, 0x22);
+        mcs52_run(chip, 4000);
+        TEST_ASSERT_EQUAL(cases[i].count, byte_count);
+        TEST_ASSERT_EQUAL_HEX8(0x22, bytes[byte_count - 1].value);
+        TEST_ASSERT_TRUE(bytes[byte_count - 1].cycle == cases[i].second + 960U);
     }
 }
 
@@ -804,7 +913,11 @@ int main(void)
     RUN_TEST(test_that_a_byte_leaves_bit_by_bit);
     RUN_TEST(test_that_timer_1_gives_the_baud_rate);
     RUN_TEST(test_that_a_frame_begins_after_sixteen_ticks);
-    RUN_TEST(test_that_a_reset_begins_with_no_overflow);
+    RUN_TEST(test_that_a_frame_by_timer_2_begins_after_sixteen_ticks);
+    RUN_TEST(test_that_both_flags_interrupt);
+    RUN_TEST(test_that_frames_go_on_in_idle);
+    RUN_TEST(test_that_the_stop_bit_is_the_time_to_wait);
+    RUN_TEST(test_that_a_reset_begins_anew);
     RUN_TEST(test_that_a_byte_is_in_with_the_stop_bits_last_sample);
     RUN_TEST(test_that_two_of_three_samples_decide);
     RUN_TEST(test_that_smod_halves_the_rest_of_a_bit);

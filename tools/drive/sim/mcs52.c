@@ -123,10 +123,10 @@ void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value)
         chip->a = value;
     } else if (address == PSW) {
         chip->psw = value & (uint8_t)~PSW_P;
-    } else if (mcs52_special[address] != 0 && !acts) {
-        mcs52_write(chip, address, value, chip->now);
-    } else {
+    } else if (acts) {
         chip->sfr[address] = value;
+    } else {
+        mcs52_write(chip, address, value, chip->now);
     }
 }
 
@@ -159,9 +159,7 @@ void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause)
     chip->a = chip->psw = 0;
     chip->idle = chip->poll = chip->bitten = false;
     chip->power_down = chip->clock_stands;
-    chip->slept_from = chip->now;
     chip->in_service = 0;
-    chip->held = NEVER;
     chip->watchdog_half = false;
     chip->watchdog_left = NEVER;
     chip->t1_is_odd = false;
@@ -178,7 +176,6 @@ void mcs52_restart(struct mcs52 *chip, enum mcs52_reset cause)
     mcs52_uart_plan(chip, chip->now);
     mcs52_uart_break(chip, chip->now);
     mcs52_pins_follow(chip, chip->now);
-    mcs52_attend(chip);
 }
 
 void mcs52_reset(struct mcs52 *chip)
