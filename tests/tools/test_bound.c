@@ -1058,6 +1058,25 @@ static void test_the_bits_of_the_priority_register(void)
     }
 }
 
+/* At 0x33, behind the last vector, is code like any other. */
+static void test_what_an_interrupt_does_is_followed(void)
+{
+    put_start();
+    PUT(0x100, 0x22);
+    PUT(0x33, 0x02, 0x02, 0x00);
+    PUT(0x200, 0xA5);
+    is_named(0x200, "late");
+    TEST_ASSERT_TRUE(flow_follow(&flow));
+    tearDown();
+    setUp();
+    put_start();
+    PUT(0x100, 0x22);
+    PUT(0x2B, 0x02, 0x02, 0x00);
+    PUT(0x200, 0xA5);
+    is_named(0x200, "late");
+    refuses_to_follow("at 0x0200 (late): 0xA5 is no instruction", "interrupt");
+}
+
 static void test_each_vector_is_one(void)
 {
     for (int n = 0; n < FLOW_INTERRUPTS; n++) {
@@ -1115,6 +1134,7 @@ int main(void)
     RUN_TEST(test_a_recursion_is_told_with_its_whole_path);
     RUN_TEST(test_the_start_sets_the_stack_pointer);
     RUN_TEST(test_the_bits_of_the_priority_register);
+    RUN_TEST(test_what_an_interrupt_does_is_followed);
     RUN_TEST(test_each_vector_is_one);
     return UNITY_END();
 }
