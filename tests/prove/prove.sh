@@ -11,8 +11,8 @@
 # Prints a line for each unit and for each theorem of it, that is a clause whose label its first comment explains as
 # "theorem LABEL: words". Exits with 1 if anything is open.
 #
-# For test_prove.sh: FUNCTIONS are the only ones of the unit to prove, PROVERS the programs that may, and TIMEOUTS the
-# times that each has for one goal, in seconds, round by round.
+# For test_prove.sh: FUNCTIONS are the only ones of the unit to prove, PROVERS the programs that may, and TIMEOUT the
+# time that each has for one goal, in seconds.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 out=build/prove
@@ -68,21 +68,17 @@ proved_by() { # UNIT
         END { for (name in from) if (from[name] in wanted) print name }' | sort | paste -sd,
 }
 
-# The goals that the last round of provers could not prove.
+# The goals of a log that no prover could prove.
 open_goals() { # LOG
-    tac "$1" | sed -nE 's/^\[wp\] \[(Failed|Timeout|Unknown|Stepout)\] Goal typed_([a-zA-Z0-9_]+).*/\2/p; /goals scheduled$/q'
+    sed -nE 's/^\[wp\] \[(Failed|Timeout|Unknown|Stepout)\] Goal typed_([a-zA-Z0-9_]+).*/\2/p' "$1"
 }
 
-# In rounds: a short time for each goal first, then a long one for what is left, which the other prover may do at once.
 by_wp() { # UNIT
-    local unit=$1 seconds label words goals left status=0 rounds=() log=$out/$1.log functions
-    functions=${FUNCTIONS:-$(proved_by "$unit")}
-    [ -n "$(said "$unit" defined)" ] || rounds=(-wp-rte)
-    for seconds in ${TIMEOUTS:-4 60}; do
-        rounds+=(-then -wp -wp-fct="$functions" -wp-prop="-@tried,-tried" -wp-timeout "$seconds")
-    done
+    local unit=$1 label words goals left status=0 log=$out/$1.log rte=()
+    [ -n "$(said "$unit" defined)" ] || rte=(-wp-rte)
     if ! run "$unit" "tests/prove/$unit.c" -wp-prover "${PROVERS:-z3,cvc4}" -wp-par 1 -wp-cache update -wp-cache-dir "${CACHE:-$out/cache}" \
-        "${rounds[@]}" -then -no-wp -report-csv "$out/$unit.csv"; then
+        -wp -wp-fct="${FUNCTIONS:-$(proved_by "$unit")}" "${rte[@]}" -wp-prop="-@tried,-tried" -wp-timeout "${TIMEOUT:-60}" \
+        -then -no-wp -report-csv "$out/$unit.csv"; then
         echo "$unit: frama-c failed; see $log"
         return 2
     fi

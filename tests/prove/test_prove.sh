@@ -47,7 +47,7 @@ faulty() { # LINE
         echo "tests/prove/faults.txt:$line: the command must change one line of $file, but changes $changed:FAIL"
         return
     fi
-    TIMEOUTS=2 PROVERS=z3 prove "$name" "$unit" "$functions"
+    TIMEOUT=2 PROVERS=z3 prove "$name" "$unit" "$functions"
     case $? in
     0) echo "tests/prove/faults.txt:$line: $theorem: $functions is still proved with this fault: $command:FAIL" ;;
     1) echo "$theorem falls: $(cat "$top/$name/said"):PASS" ;;
