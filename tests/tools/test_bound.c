@@ -879,8 +879,8 @@ static void test_the_last_caller_is_named(void)
     refuses_to_count(0x400, false, "strlen, called at x.c:9: " LIBRARY_LOOP, "other");
 }
 
-/* An interrupt changes the byte that a jump goes by: it has other targets when the loop's rounds are
- * counted.
+/* An interrupt changes the byte that a jump goes by: it has other targets when the loop's rounds
+ * are counted.
  * mov 0x30,#0; mov a,0x30; mov dptr,#0x109; jmp @a+dptr; two ljmp 0x10F; djnz r7,itself; ret */
 static void test_what_is_followed_once_more_may_be_refused(void)
 {
@@ -1021,7 +1021,7 @@ static void test_a_recursion_is_told_with_its_whole_path(void)
     }
 }
 
-/* --- the start, and interrupts ----------------------------------------------------------------- */
+/* --- the start, and interrupts -------------------------------------------------------------- */
 
 static void test_the_start_sets_the_stack_pointer(void)
 {

@@ -298,7 +298,7 @@ static uint8_t draw_known(void)
     return PICK(0x00, 0x01, 0x07, 0x09, 0x1F, 0x20, 0x30, 0x7F, ACC, B, DPL, DPH);
 }
 
-/* The bits of a port belong to the hardware; of the PSW only the carry and the bank are followed. */
+/* The bits of a port belong to the hardware; of the PSW only carry and bank are followed. */
 static bool is_bit_unknown(uint8_t bit)
 {
     return (bit & 0xF8) == P1 || ((bit & 0xF8) == PSW && bit != PSW + 7);

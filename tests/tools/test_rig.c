@@ -230,7 +230,7 @@ static void test_that_the_start_has_the_duty_of_the_pins_before_it(void)
     MEASURES(0, FINAL_BRAKE, 5 * ms);
 }
 
-/* The pin was high for long, and fell just before the start: what it says now is known 15 ms later. */
+/* The pin was high for long, and fell just before the start: its duty is known 15 ms later. */
 static void test_that_a_pin_that_has_just_fallen_is_not_steady(void)
 {
     rig_init(&rig, &scenario, ms);

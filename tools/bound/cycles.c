@@ -314,8 +314,8 @@ static bool cost(struct search *search, int at, long *cycles)
     return true;
 }
 
-/* Extends the path that ends in AT to the successors of AT; those in a loop that has been passed are
- * in another part now. */
+/* Extends the path that ends in AT to the successors of AT; those in a loop that has been passed
+ * are in another part now. */
 static void relax(const struct components *found, int at, long *dist)
 {
     const struct function *function = found->search->function;

@@ -15,7 +15,7 @@ void *memory_resize(void *array, size_t count, size_t size);
 /* The first LENGTH characters of TEXT, or all if it is shorter. To be freed. */
 char *memory_copy(const char *text, size_t length);
 
-/* A stream for writing, whose text, LENGTH characters, is in TEXT once it is closed. To be freed. */
+/* A stream for writing; once it is closed, its LENGTH characters are in TEXT. To be freed. */
 FILE *memory_open(char **text, size_t *length);
 
 #endif
