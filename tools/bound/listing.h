@@ -20,10 +20,9 @@ void listing_init(struct listing *listing);
 void listing_free(struct listing *listing);
 
 /* Adds one .rst or .map file of the image HEX. The words "rounds: N", N in 1..LISTING_MOST_ROUNDS,
- * on a source line say that the loop on this line has at most N rounds each time that it is entered.
- * Returns EXIT_FINE, or
- * EXIT_INPUT after a message. The listing of another image is an error: the linker overwrites a
- * module's listing each time that it links the module. */
+ * on a source line say that the loop on this line has at most N rounds each time that it is
+ * entered. Returns EXIT_FINE, or EXIT_INPUT after a message. The listing of another image is an
+ * error: the linker overwrites a module's listing each time that it links the module. */
 int listing_read(struct listing *listing, const struct hexfile *hex, const char *path);
 
 /* The address of the function NAME, or -1. */
