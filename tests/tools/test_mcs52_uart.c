@@ -488,8 +488,8 @@ static void test_that_a_byte_written_too_early_breaks_a_frame_off(void)
 }
 
 /* A write in the very cycle in which a bit is due: the bit is still the earlier frame's. Each
- * cycle of the first bit is tried. Bits are due in the cycles 96, 192, ..; the new frame begins with
- * the first one after the write, which ends in cycle at + 1. */
+ * cycle of the first bit is tried. Bits are due in the cycles 96, 192, ..; the new frame begins
+ * with the first one after the write, which ends in cycle at + 1. */
 static void test_that_any_moment_of_a_write_is_fine(void)
 {
     for (uint16_t at = 4; at < 204; at++) {
@@ -505,8 +505,8 @@ static void test_that_any_moment_of_a_write_is_fine(void)
     }
 }
 
-/* The stop bit is from cycle 960 to before 1056: a write that ends there waits, one that ends in 959
- * breaks the frame off, one that ends in 1056 finds nothing to wait for. */
+/* The stop bit is from cycle 960 to before 1056: a write that ends there waits, one that ends in
+ * 959 breaks the frame off, one that ends in 1056 finds nothing to wait for. */
 static void test_that_the_stop_bit_is_the_time_to_wait(void)
 {
     static const struct {
