@@ -1025,7 +1025,7 @@ static void test_what_a_function_changes(void)
         {VALUE_ENTRY, 7, 1}, {VALUE_ENTRY, 6, 0}, {VALUE_CONST, 7, 0}, {VALUE_ANY, 7, 0}};
 
     for (int i = 0; i < VALUES_BYTES; i++) {
-        bool is_changed[VALUES_BYTES] = {[3] = true};
+        bool is_changed[VALUES_BYTES + 1] = {[3] = true};
 
         for (int at = 0; at < VALUES_BYTES; at++) {
             values.byte[at] = at_entry((unsigned)at, 0);
@@ -1039,6 +1039,7 @@ static void test_what_a_function_changes(void)
 
             TEST_ASSERT_EQUAL_INT(is_expected, is_changed[at]);
         }
+        TEST_ASSERT_FALSE(is_changed[VALUES_BYTES]); /* which is beyond its bytes */
     }
     for (int i = 0; i < 4; i++) {
         bool is_changed[VALUES_BYTES] = {false};
@@ -1052,40 +1053,52 @@ static void test_what_a_function_changes(void)
 
 /* --- jumps to what is known ----------------------------------------------------------------- */
 
-static uint16_t targets[VALUES_REPEATS];
+static uint16_t room[VALUES_REPEATS + 2], *targets = &room[1];
+
+/* The number of targets, which are all that is written. */
+static int find_targets(bool is_return)
+{
+    int count;
+
+    memset(room, 0xA5, sizeof room);
+    count = values_targets(&values, &world, is_return, targets);
+    TEST_ASSERT_EQUAL_HEX16(0xA5A5, targets[-1]);
+    TEST_ASSERT_EQUAL_HEX16(0xA5A5, targets[count]);
+    return count;
+}
 
 static void test_a_table_of_jumps(void)
 {
     enter(any, any);
     STEP(0x90, 0x20, 0x00);
     PUT(0x2000, 0x02, 0x12, 0x34, 0x02, 0x00, 0x00, 0x01); /* ljmp; ljmp; ajmp */
-    TEST_ASSERT_EQUAL_INT(2, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(2, find_targets(false));
     TEST_ASSERT_EQUAL_HEX16(0x2000, targets[0]);
     TEST_ASSERT_EQUAL_HEX16(0x2003, targets[1]);
     PUT(0x2000, 0xE1, 0x34, 0x01, 0x00, 0x02); /* ajmp; ajmp; ljmp */
-    TEST_ASSERT_EQUAL_INT(2, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(2, find_targets(false));
     TEST_ASSERT_EQUAL_HEX16(0x2000, targets[0]);
     TEST_ASSERT_EQUAL_HEX16(0x2002, targets[1]);
     PUT(0x2000, 0x11, 0x34); /* acall */
-    TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(0, find_targets(false));
     memset(&code[0x2000], 0x01, 0x200);
-    TEST_ASSERT_EQUAL_INT(128, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(128, find_targets(false));
     memset(&code[0x2000], 0x02, 0x300);
-    TEST_ASSERT_EQUAL_INT(85, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(85, find_targets(false));
     values.byte[DPH] = any;
-    TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(0, find_targets(false));
 }
 
 static void test_a_jump_to_a_known_address(void)
 {
     enter(number(3), any);
     STEP(0x90, 0x20, 0xFF);
-    TEST_ASSERT_EQUAL_INT(1, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(1, find_targets(false));
     TEST_ASSERT_EQUAL_HEX16(0x2102, targets[0]);
     for (int half = 0; half < 2; half++) {
         values.byte[DPH] = half ? any : number(1);
         values.byte[DPL] = half ? number(1) : any;
-        TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, false, targets));
+        TEST_ASSERT_EQUAL_INT(0, find_targets(false));
     }
 }
 
@@ -1096,7 +1109,7 @@ static void test_a_jump_to_the_addresses_in_two_tables(void)
     enter(number(1), any);
     values.byte[DPL] = table(0x2000);
     values.byte[DPH] = table(0x2003);
-    TEST_ASSERT_EQUAL_INT(3, values_targets(&values, &world, false, targets));
+    TEST_ASSERT_EQUAL_INT(3, find_targets(false));
     TEST_ASSERT_EQUAL_HEX16(0x1235, targets[0]);
     TEST_ASSERT_EQUAL_HEX16(0x1357, targets[1]);
     TEST_ASSERT_EQUAL_HEX16(0x1479, targets[2]);
@@ -1115,16 +1128,15 @@ static void test_a_jump_to_the_addresses_in_two_tables(void)
             values.byte[SP] = at_entry(SP, 2);
             values.slot[1] = values.byte[DPL] = table(cases[i].low);
             values.slot[2] = values.byte[DPH] = table(cases[i].high);
-            TEST_ASSERT_EQUAL_INT(cases[i].count,
-                                  values_targets(&values, &world, is_return != 0, targets));
+            TEST_ASSERT_EQUAL_INT(cases[i].count, find_targets(is_return != 0));
         }
     }
     values.slot[1] = number(0x00);
-    values.slot[2] = table(0x2000);
-    TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, true, targets));
+    values.slot[2] = table(0x10);
+    TEST_ASSERT_EQUAL_INT(0, find_targets(true));
     values.slot[1] = table(0x2000);
     values.slot[2] = (struct value){.kind = VALUE_ANY, .number = 0x2001};
-    TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, true, targets));
+    TEST_ASSERT_EQUAL_INT(0, find_targets(true));
 }
 
 static void test_a_return_to_a_pushed_address(void)
@@ -1134,15 +1146,15 @@ static void test_a_return_to_a_pushed_address(void)
     values.slot[2] = values.slot[3] = number(0x12);
     for (unsigned depth = 0; depth < 4; depth++) {
         values.byte[SP] = at_entry(SP, depth);
-        TEST_ASSERT_EQUAL_INT(depth < 2 ? 0 : 1, values_targets(&values, &world, true, targets));
+        TEST_ASSERT_EQUAL_INT(depth < 2 ? 0 : 1, find_targets(true));
         TEST_ASSERT_TRUE(depth < 2 || targets[0] == (depth == 2 ? 0x1234 : 0x1212));
     }
     values.byte[SP] = at_entry(SP, 2);
     values.slot[1] = any;
-    TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, true, targets));
+    TEST_ASSERT_EQUAL_INT(0, find_targets(true));
     values.slot[1] = number(0);
     values.slot[2] = any;
-    TEST_ASSERT_EQUAL_INT(0, values_targets(&values, &world, true, targets));
+    TEST_ASSERT_EQUAL_INT(0, find_targets(true));
 }
 
 /* --- the frame pointer ---------------------------------------------------------------------- */
