@@ -17,8 +17,8 @@
 #define MM_OVER_1_Q16 12192U
 
 /* From X in 1/512 m to X / 8 rad (X in m) in 65,536ths of a turn:
- * 65536 / (2 pi) / 4096 = 2 + 35796 / 65536. */
-#define NEAR_OVER_2_Q16 35796U
+ * 65536 / (2 pi) / 4096 = 2 + 35814 / 65536. */
+#define NEAR_OVER_2_Q16 35814U
 
 __idata struct park park;
 
