@@ -45,7 +45,9 @@ ways() { # CONTROLLER
         folder=tests/loop
         usual=$folder/standing_car_3mps.scn
         printf '%s\n' "drive $usual" "type_keys _dropped" "type_keys _seconds" high_line \
-            "jump $(label_at brake/main _main)" "overwrite brake/main _flow" "flip_cell tests/loop/constant_gap_noise.scn brake/brake _brake 1 0 5" \
+            "jump $(label_at brake/main _main)" "overwrite brake/main _flow" \
+            "jump $(line_at brake/main 'flow != FLOW_TICK')" \
+            "flip_cell tests/loop/constant_gap_noise.scn brake/brake _brake 1 0 5" \
             "flip_cell tests/loop/constant_gap_noise.scn mcu/code _state 4 0 5" # the sum that it has learned
         ;;
     *)
@@ -76,6 +78,11 @@ flip_cell() { # SCENARIO MODULE VARIABLE OFFSET BIT AT_S
 }
 label_at() { # MODULE LABEL
     address_of "$2" "build/$image/$1.rst"
+}
+# Where the first line with that text begins.
+line_at() { # MODULE TEXT
+    awk -v text="$2" 'is_next && length($1) == 6 && $1 ~ /^[0-9A-F]+$/ { print "0x" $1; exit } index($0, text) { is_next = 1 }' \
+        "build/$image/$1.rst"
 }
 
 # A bit of the table; the self-test finds it.

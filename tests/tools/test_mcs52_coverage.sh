@@ -30,7 +30,7 @@ while read -r file lines branches; do
     [ "$lines" = 100.00 ] && [ "$branches" = 100.00 ]
     say "$file is tested in each line and branch" $? "$lines % of the lines, $branches % of the branches: see $out/$file.gcov"
 done < <(awk -F "[':%]" '
-    /^File .*mcs52/ { file = $2; sub(/.*\//, "", file); lines = branches = 100; next }
+    /^File .*mcs52/ { file = $2; sub(/.*\//, "", file); lines = branches = "100.00"; next }
     /^File/ { file = "" }
     file != "" && /^Lines executed/ { lines = $2 }
     file != "" && /^Taken at least once/ { branches = $2 }
