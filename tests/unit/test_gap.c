@@ -178,6 +178,30 @@ static void test_each_acceleration_is_brake_or_throttle(void)
     }
 }
 
+/* -49 and 48 cm/s2 make -1, of which the half is rounded towards 0. */
+static void test_the_mean_of_both_laws_is_rounded_towards_0(void)
+{
+    steps(2, 1953, 1000, 500, 0);
+    TEST_ASSERT_EQUAL_INT16(-1, gap_lq_cmps2() + gap_fuzzy_cmps2());
+    TEST_ASSERT_EQUAL_INT16(0, gap.accel_cmps2);
+}
+
+static void test_a_creeping_car_that_brakes_a_little_is_held(void)
+{
+    steps(2, 414, GAP_CREEP_CMPS - 1, 50, 0);
+    TEST_ASSERT_EQUAL_INT16(-58, gap_lq_cmps2() + gap_fuzzy_cmps2());
+    TEST_ASSERT_EQUAL_INT16(-30, gap.accel_cmps2);
+}
+
+static void test_set_speed_lets_the_law_ask_for_full_throttle(void)
+{
+    gap.state = GAP_CONTROL;
+    gap.gap_cm = 20000;
+    gap.own_cmps = 0;
+    (void)safe_cmps2(800);
+    TEST_ASSERT_EQUAL_INT16(800, asked_cmps2);
+}
+
 /* --- lead state ------------------------------------------------------------------------------ */
 
 static void test_lead_state_follows_what_is_sure_at_once(void)
@@ -310,6 +334,86 @@ static void test_too_late_is_what_mechanics_say(void)
     TEST_ASSERT_TRUE(gap_is_too_late(0, 750));
 }
 
+/* 0.35 s are 90 / 256 s here: at 15 m/s 527 cm. With 7.5 m/s2 the car stands after 1500 cm more. */
+enum { STANDS_15_MPS_CM = 527 + 1500 + 50 };
+
+static void test_too_late_begins_1_cm_below_what_mechanics_say(void)
+{
+    gap.own_cmps = 1500;
+    gap.lead_cmps = 0;
+    gap.lead_cmps2 = 0; /* the speeds are equal when both stand */
+    gap.gap_cm = STANDS_15_MPS_CM;
+    TEST_ASSERT_FALSE(gap_is_too_late(0, 750));
+    gap.gap_cm--;
+    TEST_ASSERT_TRUE(gap_is_too_late(0, 750));
+    gap.lead_cmps2 = -1; /* both ways of stopping */
+    TEST_ASSERT_TRUE(gap_is_too_late(0, 750));
+    gap.gap_cm++;
+    TEST_ASSERT_FALSE(gap_is_too_late(0, 750));
+
+    /* A lead that brakes with 10 m/s2 has 11.49 m/s after 465 cm, and stands 660 cm later. */
+    gap.lead_cmps = 1500;
+    gap.lead_cmps2 = -1000;
+    gap.gap_cm = STANDS_15_MPS_CM - 465 - 660;
+    TEST_ASSERT_FALSE(gap_is_too_late(0, 750));
+    gap.gap_cm--;
+    TEST_ASSERT_TRUE(gap_is_too_late(0, 750));
+}
+
+/* Within the margin there is no room: 39 cm/s take 1 cm, rounded down, and 38 cm/s take none. */
+static void test_within_the_margin_the_car_must_stand_first(void)
+{
+    gap.gap_cm = 0;
+    gap.lead_cmps = 0;
+    gap.lead_cmps2 = -1500;
+    gap.own_cmps = 38;
+    TEST_ASSERT_FALSE(gap_is_too_late(0, 750));
+    gap.own_cmps = 39;
+    TEST_ASSERT_TRUE(gap_is_too_late(0, 750));
+}
+
+static void test_emergency_begins_where_7_5_mps2_do_not_suffice(void)
+{
+    step(STANDS_15_MPS_CM, 1500, 0, -1);
+    TEST_ASSERT_EQUAL_UINT8(GAP_CONTROL, gap.state);
+    step(STANDS_15_MPS_CM - 1, 1500, 0, -1);
+    TEST_ASSERT_EQUAL_UINT8(GAP_EMERGENCY, gap.state);
+    TEST_ASSERT_EQUAL_INT16(-800, gap.accel_cmps2);
+}
+
+/* With 5 m/s2 the car stands after 2250 cm. */
+static void test_emergency_ends_where_5_mps2_suffice(void)
+{
+    step(1900, 1500, 0, -1);
+    steps(SAFE_AGAIN_FRAMES, 527 + 2250 + 50 - 1, 1500, 0, -1);
+    TEST_ASSERT_EQUAL_UINT8(GAP_EMERGENCY, gap.state);
+    steps(SAFE_AGAIN_FRAMES, 527 + 2250 + 50, 1500, 0, -1);
+    TEST_ASSERT_EQUAL_UINT8(GAP_CONTROL, gap.state);
+}
+
+static void test_each_emergency_takes_two_safe_frames(void)
+{
+    uint8_t i;
+
+    for (i = 0; i < 3; i++) {
+        step(1900, 1500, 0, 0);
+        step(5000, 1500, 0, 0);
+        TEST_ASSERT_EQUAL_UINT8(GAP_EMERGENCY, gap.state);
+        step(5000, 1500, 0, 0);
+        TEST_ASSERT_EQUAL_UINT8(GAP_CONTROL, gap.state);
+    }
+}
+
+static void test_emergency_ends_at_once_when_nobody_is_ahead(void)
+{
+    step(1900, 1500, 0, 0);
+    step(GAP_MAX_CM - 1, 1500, 0, 0);
+    TEST_ASSERT_EQUAL_UINT8(GAP_EMERGENCY, gap.state);
+    step(1900, 1500, 0, 0);
+    step(GAP_MAX_CM, 1500, 0, 0);
+    TEST_ASSERT_EQUAL_UINT8(GAP_CONTROL, gap.state);
+}
+
 /* The least gap that is not too late. */
 static uint16_t least_gap_cm(uint16_t own_cmps, uint16_t lead_cmps, int16_t lead_cmps2)
 {
@@ -375,6 +479,26 @@ static void test_own_deceleration_counts_as_measured_and_as_demanded(void)
     TEST_ASSERT_EQUAL_UINT16(200, own_decel_cmps2());
     gap.own_cmps = 1400;
     TEST_ASSERT_EQUAL_UINT16(0, own_decel_cmps2()); /* faster again */
+}
+
+static uint16_t own_decel_with(uint16_t slower_cmps, int16_t accel_cmps2)
+{
+    gap.own_cmps = 1000;
+    gap.accel_cmps2 = accel_cmps2;
+    late_cmps = 1000 + slower_cmps;
+    return own_decel_cmps2();
+}
+
+/* In 0.2 s 1.6 m/s are 8 m/s2, the most that can be demanded. */
+static void test_own_deceleration_is_no_more_than_demanded(void)
+{
+    TEST_ASSERT_EQUAL_UINT16(795, own_decel_with(159, -800));
+    TEST_ASSERT_EQUAL_UINT16(800, own_decel_with(160, -800));
+    TEST_ASSERT_EQUAL_UINT16(800, own_decel_with(4000, -800));
+    TEST_ASSERT_EQUAL_UINT16(1, own_decel_with(4, -1));
+    TEST_ASSERT_EQUAL_UINT16(0, own_decel_with(4, 0));
+    TEST_ASSERT_EQUAL_UINT16(0, own_decel_with(4, 1));
+    TEST_ASSERT_EQUAL_UINT16(0, own_decel_with(160, 1));
 }
 
 #ifndef __SDCC_mcs51
@@ -509,6 +633,9 @@ int main(void)
     RUN_TEST(test_a_beginning_forgets_what_was);
     RUN_TEST(test_a_lost_link_asks_for_the_brake_that_is_on);
     RUN_TEST(test_each_acceleration_is_brake_or_throttle);
+    RUN_TEST(test_the_mean_of_both_laws_is_rounded_towards_0);
+    RUN_TEST(test_a_creeping_car_that_brakes_a_little_is_held);
+    RUN_TEST(test_set_speed_lets_the_law_ask_for_full_throttle);
     RUN_TEST(test_lead_state_follows_what_is_sure_at_once);
     RUN_TEST(test_a_lead_stands_from_the_first_frame_that_says_so);
     RUN_TEST(test_the_next_small_change_has_to_last_as_long);
@@ -517,9 +644,16 @@ int main(void)
     RUN_TEST(test_car_waits_braked_and_a_lost_link_brakes);
     RUN_TEST(test_the_reaction_takes_0_35_s);
     RUN_TEST(test_too_late_is_what_mechanics_say);
+    RUN_TEST(test_too_late_begins_1_cm_below_what_mechanics_say);
+    RUN_TEST(test_within_the_margin_the_car_must_stand_first);
+    RUN_TEST(test_emergency_begins_where_7_5_mps2_do_not_suffice);
+    RUN_TEST(test_emergency_ends_where_5_mps2_suffice);
+    RUN_TEST(test_each_emergency_takes_two_safe_frames);
+    RUN_TEST(test_emergency_ends_at_once_when_nobody_is_ahead);
     RUN_TEST(test_only_a_lead_that_brakes_needs_more_room);
     RUN_TEST(test_emergency_ends_when_two_frames_are_safe);
     RUN_TEST(test_own_deceleration_counts_as_measured_and_as_demanded);
+    RUN_TEST(test_own_deceleration_is_no_more_than_demanded);
 #ifndef __SDCC_mcs51
     RUN_TEST(test_no_impact_wherever_full_brake_from_the_same_reading_avoids_it);
     RUN_TEST(test_the_fuzzy_part_looks_where_room_and_opening_are);

@@ -175,12 +175,16 @@ static void test_check_takes_a_step_for_each_quarter_of_a_metre(void)
     TEST_ASSERT_EQUAL_UINT16(81, start_from(0, 10000, QUARTER_TURN));
 }
 
-static void expect_dead_zone(int16_t x, int16_t y, uint16_t heading)
+/* Returns how many steps the check took. */
+static uint16_t expect_dead_zone(int16_t x, int16_t y, uint16_t heading)
 {
+    uint16_t steps;
+
     park_init();
-    start_from(x, y, heading);
+    steps = start_from(x, y, heading);
     TEST_ASSERT_EQUAL_UINT8(PARK_DEAD_ZONE, park.state);
     TEST_ASSERT_TRUE(park_must_stand());
+    return steps;
 }
 
 /* 6 m and 10 m before the place, as in the study; half a metre beside it; the wrong way round;
@@ -231,13 +235,11 @@ static uint16_t frames_until_change(int16_t x, int16_t y, uint16_t heading)
 
 static void test_out_of_the_dead_zone_the_car_is_ready_for_the_next_start(void)
 {
-    uint16_t frames;
+    uint16_t steps = expect_dead_zone(1024, 3072, 18204);
 
-    expect_dead_zone(1024, 3072, 18204);
-    /* The way that began there ends first; then that of 19.5 m, in 80 steps. */
-    frames = frames_until_change(0, 10000, QUARTER_TURN);
+    /* The way from there is driven once more first; then that of 19.5 m, in 80 steps. */
+    TEST_ASSERT_EQUAL_UINT16(steps + 80U, frames_until_change(0, 10000, QUARTER_TURN));
     TEST_ASSERT_EQUAL_UINT8(PARK_READY, park.state);
-    TEST_ASSERT_TRUE(frames > 80 && frames < 160);
     TEST_ASSERT_EQUAL_UINT16(PARK_SERVO_MID_US, park.servo_us);
     park_lose();
     TEST_ASSERT_EQUAL_UINT8(PARK_READY, park.state);
@@ -384,6 +386,30 @@ static void expect_distance(void)
     TEST_ASSERT_TRUE_MESSAGE(error_mm > -1.6 && error_mm < 0.001, "mm");
 }
 
+/* X / 8 rad, rounded down by less than 1; up to 3216 / 512 m it is not limited. The factor is right
+ * to 1 / 2^20, which makes 0.003. */
+static void expect_near(int16_t x, double wanted)
+{
+    double error;
+
+    park.x = x;
+    park_steer();
+    error = (x < 0 ? -park.theta_near : park.theta_near) - wanted;
+    TEST_ASSERT_TRUE_MESSAGE(error > -1.003 && error < 0.003, "turn16");
+}
+
+static void test_the_near_law_is_a_radian_for_each_8_m(void)
+{
+    park.y = 0;
+    park.heading = QUARTER_TURN;
+    for (int16_t x = 0; x <= 3216; x++) {
+        double wanted = x / 4096.0 * DEG * 65536 / 360;
+
+        expect_near(x, wanted);
+        expect_near((int16_t)-x, wanted);
+    }
+}
+
 /* On the line the near law steers by the heading alone. */
 static void test_each_steering_angle_has_its_pulse(void)
 {
@@ -447,6 +473,7 @@ int main(void)
 #endif
     RUN_TEST(test_values_out_of_range_are_refused_and_change_nothing);
 #ifndef __SDCC_mcs51
+    RUN_TEST(test_the_near_law_is_a_radian_for_each_8_m);
     RUN_TEST(test_each_steering_angle_has_its_pulse);
     RUN_TEST(test_laws_against_floating_point);
 #endif
