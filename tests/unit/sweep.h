@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How many steps a sweep over all inputs takes at a time: 1, all of them. Coverage asks only which
- * lines and branches are reached, and takes more (tests/coverage/rules.mk). */
+/* How many steps a sweep over all inputs takes at a time: 1, all of them. Coverage and mutants
+ * take more (tests/coverage/rules.mk, tests/mutants/rules.mk). */
 #ifndef FUZZY51_SWEEP_H
 #define FUZZY51_SWEEP_H
 
