@@ -64,9 +64,9 @@ enum target_worth {
 /* After a longer silence whatever comes is another target. */
 #define TARGET_SILENCE_MAX_CS CLOSING_SPAN_MAX_CS
 
-/* Clear readings that end a target: see above. With 30 % of the echoes missing, 18 of 400
- * approaches end in contact under the published table. With 3 for TARGET_FAR_CLEARS it would be
- * 19; with 5 it is 18 again (`lab trouble`). */
+/* Clear readings that end a target: see above. With 30 % of the echoes missing, 19 of 400
+ * approaches end in contact under the published table, and as many with 3 or 5 for
+ * TARGET_FAR_CLEARS (`lab trouble`). */
 #define TARGET_NEAR_MM        4096U /* a multiple of 256 */
 #define TARGET_GLIMPSE_CLEARS RANGE_READINGS_MIN(2U, 12U)
 #define TARGET_FAR_CLEARS     RANGE_READINGS_MIN(4U, 24U)

@@ -40,9 +40,10 @@ for law in brake tuned classic first none; do
 done
 # The pulse of a clear road, 38 ms, ends when the PWM takes its last new duty for the next period, and when the
 # chip triggers varies by 0.8 ms: so it ends 1.5 ms earlier here, in the middle between two periods.
+# One that comes a period later by that costs 3 cm: the way of 10 ms at 3.1 m/s, beside the 3 cm.
 for law in brake tuned classic; do
     faultless "${law}_noisy_4.0" "$(agrees $law tests/loop/tuned/standing_car_40.scn scenario.seed=7)"
-    faultless "${law}_lead_brakes" "$(agrees $law tests/loop/tuned/lead_brakes_5mps2.scn sensor.no_echo_us=36500)"
+    faultless "${law}_lead_brakes" "$(gap_m=0.061 agrees $law tests/loop/tuned/lead_brakes_5mps2.scn sensor.no_echo_us=36500)"
 done
 # Behind the lidar a scenario begins with the end of the self-test, so the PWM's phase in it changes with the
 # chip's program: the gap may change by the way of one period, 10 ms at 8.5 m/s.
