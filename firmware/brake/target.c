@@ -223,16 +223,16 @@ static uint8_t judge(void)
 }
 
 /* A reading that stays the same though the target moves is stuck; a stuck target that moves on is
- * another one. */
+ * another one. An echo that lasts as long again may differ by one count of the timer, which is up
+ * to 1 mm. */
 /*@ requires target_is_valid;
     assigns TARGET_STUCK_STATE, target_worth;
     ensures target_is_valid;
     ensures target_worth == \old(target_worth) || target_worth == TARGET_NONE;
-    ensures \result <==> stuck_readings != 0;
-    ensures \result ==> echo_mm == closing_place_mm; */
-static bool is_stuck(void)
+    ensures stuck_readings != 0 ==> (uint16_t)(echo_mm - closing_place_mm + 1) <= 2; */
+static void watch_stuck(void)
 {
-    if (echo_mm != closing_place_mm) {
+    if ((uint16_t)(echo_mm - closing_place_mm + 1U) > 2U) {
         if (stuck_readings != 0) {
             stuck_readings = 0;
             target_worth = TARGET_NONE;
@@ -240,12 +240,9 @@ static bool is_stuck(void)
 #if RANGE_IS_FAST
         has_changed = true;
 #endif
-        return false;
-    }
-    if (is_moving) {
+    } else if (is_moving) {
         stuck_readings = TARGET_REST_READINGS;
     }
-    return stuck_readings != 0;
 }
 
 /*@ requires target_is_valid;
@@ -261,7 +258,8 @@ uint8_t target_echo(uint16_t dist_mm)
     uint8_t worth;
 
     echo_mm = dist_mm;
-    if (is_stuck()) {
+    watch_stuck();
+    if (stuck_readings != 0) {
         return BRAKE_FAULT_STUCK;
     }
     worth = judge();

@@ -18,9 +18,9 @@
  *   new, or tracked beyond 4 m        4                            believed
  *   tracked nearer than 4 m           20                           not believed (BRAKE_FAULT_LOST)
  *
- * The same reading again is not believed (BRAKE_FAULT_STUCK) while the target cannot have come to
- * rest: it moved, at the last reading, as fast as TARGET_STUCK says by the difference and as
- * TARGET_STUCK_SMOOTH says by the smooth estimator. It lasts until another reading comes, and
+ * The same reading again, to 1 mm, is not believed (BRAKE_FAULT_STUCK) while the target cannot have
+ * come to rest: it moved, at the last reading, as fast as TARGET_STUCK says by the difference and
+ * as TARGET_STUCK_SMOOTH says by the smooth estimator. It lasts until another reading comes, and
  * TARGET_REST_READINGS at most: by then FAULT has brought the car to rest. */
 #ifndef FUZZY51_TARGET_H
 #define FUZZY51_TARGET_H
@@ -64,7 +64,7 @@ enum target_worth {
 /* After a longer silence whatever comes is another target. */
 #define TARGET_SILENCE_MAX_CS CLOSING_SPAN_MAX_CS
 
-/* Clear readings that end a target: see above. With 30 % of the echoes missing, 19 of 400
+/* Clear readings that end a target: see above. With 30 % of the echoes missing, 24 of 500
  * approaches end in contact under the published table, and as many with 3 or 5 for
  * TARGET_FAR_CLEARS (`lab trouble`). */
 #define TARGET_NEAR_MM        4096U /* a multiple of 256 */

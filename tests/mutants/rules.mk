@@ -37,6 +37,7 @@ plants_FILES       := $(filter-out %_keys.c $(sensors_FILES),$(wildcard tools/dr
 expectations_FILES := $(addprefix tools/drive/,scenario/expect.c world/pace.c world/rig.c)
 bound_FILES        := $(filter-out %/main.c,$(wildcard tools/bound/*.c))
 bound_TESTS        := $(filter-out %_runs.c,$(wildcard tests/tools/test_bound*.c))
+bound_NEEDS        := firmware-$(DEFAULT_BOARD)# its listings
 mcs52_FILES        := $(wildcard tools/drive/sim/mcs52*.c)
 mcs52_TESTS        := $(wildcard tests/tools/test_mcs52*.c)
 # Where there are many thousands of mutants, so many percent of them, drawn by chance.
@@ -74,7 +75,8 @@ $$($(1)_PROGRAMS): $(MUTANT_DIR)/unity.o $(MUTANT_DIR)/mutant.o
 	@mkdir -p $$(@D)
 	$$(Q)$(MUTANT_LINK) $$^ $(drive_LIBS) -o $$@
 .PHONY: run-mutants-$(1)
-run-mutants-$(1): $(MUTANT_DIR)/run $$($(1)_PROGRAMS)
+run-mutants-$(1): $(MUTANT_DIR)/run $$($(1)_PROGRAMS) $$($(1)_NEEDS)
+	@mkdir -p build/tests
 	@$(MUTANT_DIR)/run $(if $(filter-out $(MUTANT_ROOMS),$(MUTANTS)),--only='$(MUTANTS)',--share=$(or $($(1)_SHARE),100)) $(1) $(MUTANT_DIR)/$(1)/list \
 	    tests/mutants/survivors/$(1).txt $$($(1)_PROGRAMS)
 endef

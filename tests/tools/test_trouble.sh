@@ -1,10 +1,11 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# What stray, missing and coarse readings do to the brake, in thousands of drives in the laboratory: the
-# numbers that docs/brake.md states. And the first drives of `make attack`.
+# What stray, missing and coarse readings do to the brake, in thousands of drives in the laboratory: no more than
+# docs/brake.md states. And the first drives of `make attack`. TROUBLE_RUNS, ATTACK_RUNS: how many of them; the
+# first ones unless `make test-long` asks for all.
 . tests/lib.sh
 make lab-images build/lab >"$out/make.log" 2>&1 || say "the laboratory builds" 1 "$(tail -n 3 "$out/make.log")"
-build/lab trouble build/lab-images/{first,brake,tuned}.so >"$out/figures"
+build/lab trouble --runs "${TROUBLE_RUNS:-100}" build/lab-images/{first,brake,tuned}.so >"$out/figures"
 
 # IMAGE SAFE_MPS LIMITS: what is over its limit. Up to SAFE_MPS no stray reading leads to an impact. Above,
 # one before first sight leads to no more than without it, or than full braking at first sight has where
@@ -20,10 +21,10 @@ too_much() {
         else if (image ~ /tuned/) most($1 " m/s, a stray before first sight", $11, $6 > least[$1] ? $6 : least[$1])
     }
     /missing:/ { split(missing, limit, ","); most($1 " % missing", $4, limit[++shares]) }
-    /end in FAULT/ { most($3 " mm, noise " $6 " cm: stops that end in FAULT", $8, 0); most($3 " mm, noise " $6 " cm: hangs not found", $(NF - 2), 6) }
+    /end in FAULT/ { most($3 " mm, noise " $6 " cm: stops that end in FAULT", $8, 0); most($3 " mm, noise " $6 " cm: hangs not found", $(NF - 2), 5) }
     END { if (n < 21) print n " figures" }' "$out/figures"
 }
-faultless "strays, missing and coarse readings under the published table" "$(too_much brake 5.5 0,3,19)"
+faultless "strays, missing and coarse readings under the published table" "$(too_much brake 5.5 0,4,24)"
 faultless "strays, missing and coarse readings under the tuned table" "$(too_much tuned 6.3 0,0,0)"
 
 # The first drives of `make attack`: no more of them are flagged than docs/brake.md says of all.

@@ -658,7 +658,7 @@ static void test_the_same_reading_while_closing_is_stuck(void)
         TEST_ASSERT_TRUE(brake.brake_pct >= pct);
     }
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT, brake.state);
-    echo(3001);
+    echo(3002);
     echo(3000);
     echo(3000);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_CONTROL, brake.state);

@@ -485,6 +485,21 @@ static void test_the_same_reading_while_closing_or_opening_is_stuck(void)
     }
 }
 
+/* An echo that lasts as long again may differ by a count of the timer. */
+static void test_a_reading_that_differs_by_1_mm_is_stuck_too(void)
+{
+    int16_t off;
+
+    for (off = -3; off <= 3; off++) {
+        bool is_stuck = off >= -1 && off <= 1;
+
+        target_init();
+        track(4000, 100, 6);
+        TEST_ASSERT_EQUAL(is_stuck, echo((uint16_t)(closing_place_mm + off)) == BRAKE_FAULT_STUCK);
+        TEST_ASSERT_EQUAL(is_stuck, echo((uint16_t)(closing_place_mm - off)) == BRAKE_FAULT_STUCK);
+    }
+}
+
 /* A stray echo and one of a target may look like a target at 23 m/s that then stands still. */
 static void test_a_stray_echo_and_a_target_at_rest_are_not_stuck(void)
 {
@@ -516,7 +531,7 @@ static void test_stuck_lasts_until_another_reading_comes(void)
             missing();
         }
     }
-    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(1));
+    TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(2));
     TEST_ASSERT_EQUAL_UINT8(TARGET_GLIMPSE, target_worth);
     TEST_ASSERT_EQUAL_UINT16(0, closing_smooth.closing_mmps);
     TEST_ASSERT_EQUAL_UINT8(BRAKE_FAULT_NONE, nearer(0));
@@ -744,6 +759,7 @@ int main(void)
     RUN_TEST(test_a_near_target_stays_near_when_it_begins_anew);
     RUN_TEST(test_the_next_echo_of_a_target_that_seemed_gone_is_its_second_reading);
     RUN_TEST(test_the_same_reading_while_closing_or_opening_is_stuck);
+    RUN_TEST(test_a_reading_that_differs_by_1_mm_is_stuck_too);
     RUN_TEST(test_a_stray_echo_and_a_target_at_rest_are_not_stuck);
     RUN_TEST(test_stuck_lasts_until_another_reading_comes);
     RUN_TEST(test_stuck_lasts_three_seconds_at_most);

@@ -38,7 +38,7 @@ void lab_print(FILE *out, const struct image *images, int count, int runs);
 
 /* Prints, for each controller, how often stray, missing and coarse readings make it hit or stop for
  * good, and how often a sensor that hangs is not found. */
-void lab_print_trouble(FILE *out, const struct image *images, int count);
+void lab_print_trouble(FILE *out, const struct image *images, int count, int runs);
 
 /* Drives RUNS scenarios of chance from SEED on and prints what nobody would expect of a brake.
  * FIRST brakes fully at first sight, as a measure. Returns how many runs were flagged. */

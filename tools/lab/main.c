@@ -22,14 +22,15 @@ struct arguments {
     const char *scenario, *output;
     char *settings[SETTINGS];
     int setting_count;
-    long seed, runs, rounds;
+    long seed, runs, rounds; /* runs 0: as the command does by itself */
 };
 
 static const struct argp_option options[] = {
     {"scenario", OPT_SCENARIO, "FILE", 0, "run: the scenario", 1},
     {"set", OPT_SET, "SECTION.KEY=VALUE", 0, "run: replaces a value of it; may be repeated", 1},
     {"seed", OPT_SEED, "N", 0, "run: of the noise (the scenario's); tune: of the walk (1)", 1},
-    {"runs", OPT_RUNS, "N", 0, "figures, attack: runs of each situation (60)", 1},
+    {"runs", OPT_RUNS, "N", 0,
+     "figures, attack: runs of each situation (60); trouble: likewise (500)", 1},
     {"rounds", OPT_ROUNDS, "N", 0, "tune: steps of the walk (1500)", 1},
     {"output", 'o', "FILE.fis", 0, "tune: where the best system goes", 1},
     {0},
@@ -149,7 +150,7 @@ static int attack_images(const struct arguments *arguments)
 
 int main(int argc, char **argv)
 {
-    struct arguments arguments = {.seed = -1, .runs = 60, .rounds = 1500};
+    struct arguments arguments = {.seed = -1, .rounds = 1500};
     struct image images[WORDS];
     const char *command;
     int count_of_images;
@@ -157,6 +158,9 @@ int main(int argc, char **argv)
     argp_err_exit_status = EXIT_USAGE;
     argp_parse(&parser, argc, argv, 0, NULL, &arguments);
     command = arguments.word_count > 0 ? arguments.words[0] : "";
+    if (arguments.runs == 0) {
+        arguments.runs = strcmp(command, "trouble") == 0 ? 500 : 60;
+    }
     count_of_images = arguments.word_count - 1;
     if (!(strcmp(command, "run") == 0 && count_of_images == 1 && arguments.scenario != NULL) &&
         !(strcmp(command, "figures") == 0 && count_of_images >= 1) &&
@@ -164,9 +168,10 @@ int main(int argc, char **argv)
         !(strcmp(command, "attack") == 0 &&
           (count_of_images >= 2 || (count_of_images == 1 && is_hex(arguments.words[1])))) &&
         !(strcmp(command, "tune") == 0 && count_of_images == 2 && arguments.output != NULL)) {
-        diag_error(
-            NULL, 0,
-            "say what to do: run, figures or tune, and with which controllers; see lab --help");
+        diag_error(NULL, 0,
+                   "say what to do: run, figures, trouble, attack or tune, and with which "
+                   "controllers; see lab "
+                   "--help");
         return EXIT_USAGE;
     }
     if (strcmp(command, "attack") == 0 && is_hex(arguments.words[1])) {
@@ -186,7 +191,7 @@ int main(int argc, char **argv)
                         arguments.output);
     }
     if (strcmp(command, "trouble") == 0) {
-        lab_print_trouble(stdout, images, count_of_images);
+        lab_print_trouble(stdout, images, count_of_images, (int)arguments.runs);
         return EXIT_FINE;
     }
     if (strcmp(command, "attack") == 0) {

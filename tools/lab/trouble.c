@@ -152,7 +152,7 @@ static int unfound(const struct image *image, double step_m, double noise_m, int
     return count;
 }
 
-void lab_print_trouble(FILE *out, const struct image *images, int count)
+void lab_print_trouble(FILE *out, const struct image *images, int count, int runs)
 {
     static const double shares[] = {0.1, 0.2, 0.3}, steps_m[] = {0.001, 0.003, 0.01};
 
@@ -162,27 +162,27 @@ void lab_print_trouble(FILE *out, const struct image *images, int count)
         fprintf(out, "%s\n", image->path);
         for (double speed_mps = 5; speed_mps < 6.45; speed_mps += 0.1) {
             fprintf(out,
-                    "  %.1f m/s, a stray reading: %d hits of 500 without, %d before first sight, "
+                    "  %.1f m/s, a stray reading: %d hits of %d without, %d before first sight, "
                     "%d later; with that reading missing instead: %d\n",
-                    speed_mps, stray(image, speed_mps, STRAY_NONE, 500).hits,
-                    stray(image, speed_mps, STRAY_BEFORE, 500).hits,
-                    stray(image, speed_mps, STRAY_LATER, 500).hits,
-                    stray(image, speed_mps, STRAY_SILENT, 500).hits);
+                    speed_mps, stray(image, speed_mps, STRAY_NONE, runs).hits, runs,
+                    stray(image, speed_mps, STRAY_BEFORE, runs).hits,
+                    stray(image, speed_mps, STRAY_LATER, runs).hits,
+                    stray(image, speed_mps, STRAY_SILENT, runs).hits);
         }
         for (int k = 0; k < 3; k++) {
-            fprintf(out, "  %.0f %% missing: %d hits of 400\n", shares[k] * 100,
-                    missing(image, shares[k], 400).hits);
+            fprintf(out, "  %.0f %% missing: %d hits of %d\n", shares[k] * 100,
+                    missing(image, shares[k], runs).hits, runs);
         }
         for (int k = 0; k < 3; k++) {
             for (int noise = 0; noise < 2; noise++) {
-                struct trouble stops = coarse(image, steps_m[k], noise * 0.01, 600);
+                struct trouble stops = coarse(image, steps_m[k], noise * 0.01, runs);
 
                 fprintf(
                     out,
-                    "  steps of %.0f mm, noise %d cm: %d of 600 stops end in FAULT; a sensor that "
-                    "hangs is not found in %d of 600\n",
-                    steps_m[k] * 1000, noise, stops.faults,
-                    unfound(image, steps_m[k], noise * 0.01, 600));
+                    "  steps of %.0f mm, noise %d cm: %d of %d stops end in FAULT; a sensor that "
+                    "hangs is not found in %d of %d\n",
+                    steps_m[k] * 1000, noise, stops.faults, runs,
+                    unfound(image, steps_m[k], noise * 0.01, runs), runs);
             }
         }
     }
