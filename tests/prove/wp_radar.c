@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* proves: fmcw.c lane.c safe.c radar.c
  * long: yes
+ * simplify: ground
  *
  * The radar: beats, lane, safe distance and decision, each function from any state that can be.
  *
