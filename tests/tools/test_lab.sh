@@ -5,7 +5,7 @@
 . tests/lib.sh
 board=stc89c516rd
 
-# LAW SCENARIO SETTING...: gaps within 3 cm (or $gap_m), contact within 0.05 m/s, peaks within 3 %, rms within 3 %.
+# LAW SCENARIO SETTING...: gaps within 3 cm (or $gap_m), contact within 0.05 m/s, peaks and rms within 3 % (or $part).
 agrees() {
     local law=$1 scenario=$2 sets=() one
     shift 2
@@ -13,7 +13,7 @@ agrees() {
     build/drive run --brief --hex build/$board/"$law".ihx --board $board --scenario "$scenario" "${sets[@]}" \
         --json "$out/out.json" >"$out/log" 2>&1
     build/lab run build/lab-images/"$law".so --scenario "$scenario" "${sets[@]}" >"$out/host" 2>>"$out/log"
-    awk -v gap_m="${gap_m:-0.03}" '
+    awk -v gap_m="${gap_m:-0.03}" -v part="${part:-0.03}" '
     FNR == NR { host[$1] = $2; n++; next }
     /"outcome"/ { inside = 1 }
     /"expect"/ { inside = 0 }
@@ -27,8 +27,8 @@ agrees() {
     }
     END {
         differs("impact_mps", 0.05, 0); differs("min_gap_m", gap_m, 0); differs("stop_gap_m", gap_m, 0)
-        differs("peak_decel_mps2", 0.02, 0.03); differs("peak_jerk_mps3", 0.2, 0.03)
-        differs("rms_accel_mps2", 0.01, 0.03)
+        differs("peak_decel_mps2", 0.02, part); differs("peak_jerk_mps3", 0.2, part)
+        differs("rms_accel_mps2", 0.01, part)
     }' "$out/host" "$out/out.json" | tr '\n' ';'
 }
 
@@ -51,7 +51,8 @@ for scenario in standing_car_85 sun black_car rain; do
     faultless "brake_far_$scenario" "$(gap_m=0.085 agrees brake_far tests/loop/brake_far/$scenario.scn)"
 done
 faultless tuned_holds "$(agrees tuned tests/loop/tuned/holds.scn)"
-faultless tuned_at_the_edge "$(agrees tuned tests/loop/tuned/passing_at_the_edge.scn sensor.no_echo_us=36500)"
+# It brakes for two readings, 120 ms: a period of the PWM more or less is 8 % of that.
+faultless tuned_at_the_edge "$(part=0.083 agrees tuned tests/loop/tuned/passing_at_the_edge.scn sensor.no_echo_us=36500)"
 
 # The command that found a table, as that says it, in three rounds (`make tune` does all): same seed, same
 # system; another seed, another one; and it is one that fistab takes.
