@@ -88,6 +88,7 @@ fails "list of an empty folder" 1 "holds no scenario (.scn)" "$drive" list "$wor
 # --- outputs ---
 fails "trace into no folder" 1 "cannot write: No such file or directory" run PLAIN --csv "$work/no/trace.csv"
 fails "trace onto a full disk" 1 "/dev/full: error: cannot write" run PLAIN --csv /dev/full
+fails "result onto a full disk" 1 "/dev/full: error: cannot write" run PLAIN --json /dev/full
 with_tmp() {
     (
         export TMPDIR=$1

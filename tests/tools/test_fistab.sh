@@ -162,6 +162,8 @@ faultless a_file_keeps_its_mode "$([ "$(stat -c %a "$out/plain_target.h")" = 640
 faultless dev_stdout_is_stdout "$({ echo before; cat "$out/plain.h"; echo after; } | cmp - "$out/stdout.h"; [ -L /dev/stdout ] || echo 'no link any more')"
 check descriptor_3 bash -c "$fistab table tables/brake.fis -o /dev/fd/3 3>'$out/three.h' && cmp '$out/plain.h' '$out/three.h'"
 refuses a_full_disk 1 "cannot write: No space left on device" $fistab table tables/brake.fis -o /dev/full
+refuses a_full_disk_for_one_of_two 1 "cannot write: No space left on device" $fistab table tests/good/plain.fis --grid=2x2 -o /dev/full "--csv=$out/alone.csv"
+faultless no_file_of_two_without_the_other "$(ls "$out"/alone.csv* 2>/dev/null)"
 mkdir "$out/signals"
 for signal in INT TERM HUP; do
     mkfifo "$out/pipe"

@@ -10,19 +10,24 @@ room=$out/room
 mkdir -p "$room"
 lines=120
 
-pick() { # WORD...
+# Not by $(pick ...): a subshell has chances of its own, which no seed repeats.
+pick() { # WORD...: one of them, into the variable `picked`
     shift $((RANDOM % $#))
-    echo "$1"
+    picked=$1
 }
 
 random_line() { # into the array `line`
     local count=$((RANDOM % 5)) i
-    line=("$(pick eval check table table table convert plot none)" "$(pick my.fis my.fis my.fis my.fll link.fis no.fis)")
+    pick eval check table table table convert plot none
+    line=("$picked")
+    pick my.fis my.fis my.fis my.fll link.fis no.fis
+    line+=("$picked")
     for ((i = 0; i < count; i++)); do
-        line+=("$(pick --exact --samples=11 --samples=0 --nodes --grid=7x5 --grid=300x2 --grid=7 --levels=255 --levels=x \
+        pick --exact --samples=11 --samples=0 --nodes --grid=7x5 --grid=300x2 --grid=7 --levels=255 --levels=x \
             --half-down --repair=-1,+2 --repair=2:-1 --monotone=+1 --encoding=packed --target=c --target=x --name=t \
             --csv=my.fis --csv=made.csv --csv=link.csv --csv=/dev/full --changes=made.txt -omade.h -omy.fis -ohard.fis \
-            -olink.fis -o/dev/full -omade.svg --output= --rules --coverage --sets -1 -2.5 3 10 --man --version)")
+            -olink.fis -o/dev/full -omade.svg --output= --rules --coverage --sets -1 -2.5 3 10 --man --version
+        line+=("$picked")
     done
 }
 

@@ -299,13 +299,31 @@ static mode_t mode_of(const char *target)
     return 0666 & ~mask;
 }
 
+static int cannot_write(const struct outfile *out, int reason)
+{
+    return diag_error(out->path, 0, "cannot write: %s",
+                      reason != 0 ? strerror(reason) : "the file is not whole");
+}
+
+int outfile_flush(struct outfile *out)
+{
+    errno = 0;
+    if (fflush(out->stream) != 0 || ferror(out->stream)) {
+        return cannot_write(out, errno);
+    }
+    return EXIT_FINE;
+}
+
 int outfile_commit(struct outfile *out)
 {
-    bool failed = ferror(out->stream) || fflush(out->stream) != 0;
-    int reason = failed ? errno : 0;
+    bool failed = false;
+    int reason = 0;
 
-    if (!failed && out->temporary != NULL &&
-        fchmod(fileno(out->stream), mode_of(out->target)) != 0) {
+    if (outfile_flush(out) != EXIT_FINE) {
+        outfile_abandon(out);
+        return EXIT_INPUT;
+    }
+    if (out->temporary != NULL && fchmod(fileno(out->stream), mode_of(out->target)) != 0) {
         failed = true;
         reason = errno;
     }
@@ -319,8 +337,7 @@ int outfile_commit(struct outfile *out)
         reason = errno;
     }
     if (failed) {
-        diag_error(out->path, 0, "cannot write: %s",
-                   reason != 0 ? strerror(reason) : "the file is not whole");
+        cannot_write(out, reason);
     } else if (out->temporary != NULL) {
         clear_pending(out->temporary);
         free(out->temporary);

@@ -42,7 +42,12 @@ int outfile_check(const char *const *output, size_t count, const char *input);
 /* Opens PATH for writing. Returns EXIT_FINE, or EXIT_INPUT after a message. */
 int outfile_open(struct outfile *out, const char *path);
 
-/* Renames the file to its place. Returns EXIT_FINE, or EXIT_INPUT after a message (disk full, ...),
+/* Writes what is still in the buffer. Where a program writes several files, it flushes all of them
+ * before it commits the first: either all get their places or none. Returns EXIT_FINE, or
+ * EXIT_INPUT after a message (disk full, ...). */
+int outfile_flush(struct outfile *out);
+
+/* Flushes the file and renames it to its place. Returns EXIT_FINE, or EXIT_INPUT after a message (disk full, ...),
  * with nothing left behind. */
 int outfile_commit(struct outfile *out);
 

@@ -255,6 +255,11 @@ static int write_files(const struct arguments *a, const struct table *table, con
     }
     for (int i = 0; i < FILES && status == EXIT_FINE; i++) {
         if (out[i].stream != NULL) {
+            status = outfile_flush(&out[i]);
+        }
+    }
+    for (int i = 0; i < FILES && status == EXIT_FINE; i++) {
+        if (out[i].stream != NULL) {
             status = outfile_commit(&out[i]);
         }
     }

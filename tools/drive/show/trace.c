@@ -467,8 +467,13 @@ int trace_commit(struct trace *trace, const struct run *run, const struct run_se
         }
         fflush(files[i]->stream);
         fwrite(files[i]->text, 1, files[i]->size, files[i]->out.stream);
-        if (outfile_commit(&files[i]->out) != EXIT_FINE) {
+        if (outfile_flush(&files[i]->out) != EXIT_FINE) {
             status = EXIT_INPUT;
+        }
+    }
+    for (int i = 0; i < FILES && status == EXIT_FINE; i++) {
+        if (files[i]->stream != NULL) {
+            status = outfile_commit(&files[i]->out);
         }
     }
     trace_abandon(trace);
