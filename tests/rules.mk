@@ -50,7 +50,7 @@ $(error no test '$(TEST)'; the tests are: $(patsubst test_%,%,$(notdir $(UNIT_TE
 endif
 endif
 WANTED_UNITS := $(if $(TEST),$(filter %/test_$(TEST),$(UNIT_TESTS) $(TOOL_TESTS)),$(UNIT_TESTS))
-WANTED_CHIPS := $(filter %/test_$(or $(TEST),%).ihx,$(CHIP_TESTS))
+WANTED_CHIPS := $(if $(TEST),$(filter %/test_$(TEST).ihx,$(CHIP_TESTS)),$(CHIP_TESTS))
 .PHONY: run-unit run-unit-chip
 run-unit: $(WANTED_UNITS)
 	@tests/run.sh $^

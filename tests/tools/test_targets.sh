@@ -13,6 +13,7 @@ prints() { # NAME, PATTERN, COMMAND...: COMMAND succeeds and prints a line like 
 
 prints "one unit test" '^ *[1-9][0-9]* passed +0 failed +[0-9.]+ s  build/unit/test_lamp$' make unit TEST=lamp
 prints "one unit test on the chip" '^ *[1-9][0-9]* passed +0 failed +[0-9.]+ s  tests/run_chip.sh build/chip/test_lamp.ihx$' make unit-chip TEST=lamp
+prints "without TEST all of them" 'tests/run.sh .*/test_brake.ihx.*/test_warning.ihx' make -n run-unit-chip
 refuses "a unit test that is not there" 2 "no test 'nosuch'; the tests are: brake " make unit TEST=nosuch
 refuses "a test that the chip does not have" 2 "test 'golden' is not one of the chip's; these are: brake " make unit-chip TEST=golden
 
