@@ -2,6 +2,7 @@
 /* brake: the states, the latch, every kind of sensor trouble. Readings and ticks are arguments. */
 #include <stddef.h>
 #include "unity.h"
+#include "sweep.h"
 #include "brake.h"
 #include "closing.h"
 #include "latch.h"
@@ -101,7 +102,7 @@ static void test_each_distance_gets_its_row_and_from_the_second_reading_on_the_c
         brake_init(BRAKE_FAULT_NONE);
         step(RANGE_ECHO, mm, PERIOD_CS);
         if (brake.state != state || brake.brake_pct != first_pct || brake.stop != (mm <= 1000)) {
-            TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "first reading: wrong at this distance in mm");
+            SWEEP_FAIL(mm, "first reading: wrong at this distance in mm");
         }
         step(RANGE_ECHO, mm, PERIOD_CS);
         if (brake.state != state || brake.brake_pct != pct || brake.stop != (mm <= 1000) ||
@@ -1241,7 +1242,7 @@ static void test_warns_of_what_is_so_in_a_second(void)
                        lut_at(ahead_mm == 5000 ? 99 : (uint8_t)((ahead_mm - 1000U) / 40U),
                               (uint8_t)(mmps / 350U)) >= 60);
             if (brake.warn != is_hard) {
-                TEST_ASSERT_EQUAL_UINT16_MESSAGE(0, mm, "warned, or not, at this distance in mm");
+                SWEEP_FAIL(mm, "warned, or not, at this distance in mm");
             }
         }
     }

@@ -4,6 +4,7 @@
 #include "park.c"
 #include <stddef.h>
 #include "unity.h"
+#include "sweep.h"
 
 #ifndef __SDCC_mcs51
 #include <math.h>
@@ -304,7 +305,7 @@ static void test_every_distance_has_its_weight(void)
         uint8_t wanted = lut_at(cell < 256U ? (uint8_t)cell : 255, 0);
 
         if (weight_at(dist_mm) != wanted) {
-            TEST_ASSERT_EQUAL_UINT16(0, dist_mm);
+            SWEEP_FAIL(dist_mm, "the weight at this distance in mm");
         }
     }
 }

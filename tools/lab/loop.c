@@ -8,10 +8,10 @@
 #include <math.h>
 #include <string.h>
 
-/* Of the chip, read off traces of s51 at 12 MHz: pins, and the write of brake.c after the duty. */
+/* Of the chip at 12 MHz, read off traces: pins, and the write of brake.c after the duty. */
 enum {
     PERIOD_NS = 10000000,  /* of the PWM, which is the tick */
-    JOB_NS = 1850000,      /* from the tick to the trigger's rising edge */
+    JOB_NS = 1850000,      /* from the tick to the trigger's rising edge: 1.45 to 2.4 ms */
     TRIGGER_NS = 16000,    /* width of the trigger */
     STOP_NS = 220000,      /* echo's end to the STOP pin */
     DUTY_NS = 760000,      /* echo's end to the new duty handed to the PWM */

@@ -170,8 +170,7 @@ int main(int argc, char **argv)
         !(strcmp(command, "tune") == 0 && count_of_images == 2 && arguments.output != NULL)) {
         diag_error(NULL, 0,
                    "say what to do: run, figures, trouble, attack or tune, and with which "
-                   "controllers; see lab "
-                   "--help");
+                   "controllers; see lab --help");
         return EXIT_USAGE;
     }
     if (strcmp(command, "attack") == 0 && is_hex(arguments.words[1])) {
