@@ -2,6 +2,7 @@
 /* The brake controller: sensor -> closing speed -> table -> PWM, and the stop beside it. */
 #include "brake.h"
 #include "closing.h"
+#include "fixed.h"
 #include "hal.h"
 #include "identity.h"
 #include "lamp.h"
@@ -19,8 +20,9 @@
 #error a tick must be 10 ms: the brake counts in hundredths of a second
 #endif
 
-static uint8_t tick; /* seen, as hal_ticks counts */
-static __idata uint16_t seconds, milliseconds;
+static uint8_t tick;             /* seen, as hal_ticks counts */
+static __idata uint16_t seconds; /* since the start */
+static __idata uint8_t centiseconds;
 
 /* One bit that turns over does not start the self-test again, in which the brake does not act. */
 enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
@@ -99,7 +101,7 @@ static void report(void)
     }
     telemetry_values[0].number = seq;
     telemetry_values[1].number = seconds;
-    telemetry_values[2].number = milliseconds;
+    telemetry_values[2].number = mul_u8(centiseconds, 10);
     telemetry_values[3].number = 0; /* prints nothing */
     if (range_reading.kind == RANGE_ECHO) {
         telemetry_values[3].number = range_reading.dist_mm;
@@ -168,7 +170,8 @@ static void fail(uint8_t fault)
     seal();
 }
 
-/* A bit of what was sealed has turned over, or of the clock. */
+/* A bit has turned over: of what was sealed, of the clock, or of the brake's force while that was
+ * being decided. */
 /*@ requires phase != PHASE_TEST;
     requires code_test <= HAL_CODE_BAD;
     ensures t10_anew: main_is_valid && phase == \old(phase) && code_test == \old(code_test) &&
@@ -188,7 +191,8 @@ static void begin_anew(void)
     ensures main_is_valid && phase == \old(phase); */
 static void check(void)
 {
-    if (sum_up() != sealed || (uint8_t)(hal_ticks() - tick) > TICKS_LATE || sent > SENT_MAX) {
+    if (sum_up() != sealed || brake.brake_pct > 100 || (uint8_t)(hal_ticks() - tick) > TICKS_LATE ||
+        sent > SENT_MAX) {
         begin_anew();
     }
 }
@@ -263,26 +267,24 @@ static void finish_selftest(uint8_t fault)
                 \old(code_test) == HAL_CODE_GOOD; */
 static void test(void)
 {
-    uint8_t fault = BRAKE_FAULT_NONE;
-
     if (code_test == HAL_CODE_RUNNING) {
-        hal_code_test(); /* a page has an even number of slices: it never ends with this one */
         code_test = hal_code_test();
-        return;
-    }
-    if (!hal_ram_is_good()) {
-        fault = BRAKE_FAULT_RAM;
-    } else if (code_test == HAL_CODE_BAD) {
-        fault = BRAKE_FAULT_TABLE;
-    } else if (hal_range_is_busy()) {
-        if (idle_wait != 0) { /* the last echo before the reset may still be under way */
-            return;
+        if (code_test == HAL_CODE_RUNNING) {
+            code_test = hal_code_test();
         }
-        fault = BRAKE_FAULT_IDLE;
+    } else if (!hal_ram_is_good()) {
+        finish_selftest(BRAKE_FAULT_RAM);
+    } else if (code_test == HAL_CODE_BAD) {
+        finish_selftest(BRAKE_FAULT_TABLE);
+    } else if (hal_range_is_busy()) {
+        if (idle_wait == 0) { /* the last echo before the reset is over by now */
+            finish_selftest(BRAKE_FAULT_IDLE);
+        }
     } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
-        fault = BRAKE_FAULT_WATCHDOG;
+        finish_selftest(BRAKE_FAULT_WATCHDOG);
+    } else {
+        finish_selftest(BRAKE_FAULT_NONE);
     }
-    finish_selftest(fault);
 }
 
 /*@ assigns flow; */
@@ -302,12 +304,12 @@ static void show(void)
     flow = MARKED(flow, MARK_SHOW);
 }
 
-/*@ assigns seconds, milliseconds; */
+/*@ assigns seconds, centiseconds; */
 static void advance_clock(void)
 {
-    milliseconds += HAL_TICK_MS;
-    if (milliseconds == 1000) {
-        milliseconds = 0;
+    centiseconds++;
+    if (centiseconds == 100) {
+        centiseconds = 0;
         seconds++;
     }
 }
