@@ -28,7 +28,8 @@ static __bit is_believed, is_within;
         brake.state <= BRAKE_FAULT &&
         (brake.state == BRAKE_FAULT <==> fault_state != FAULT_GOOD); */
 /* What the pins do, from what was decided. */
-/*@ assigns brake.brake_pct, brake.stop, brake.state;
+/*@ requires latch_is_whole;
+    assigns brake.brake_pct, brake.stop, brake.state;
     ensures brake_is_settled; */
 static void settle(void)
 {
@@ -41,7 +42,7 @@ static void settle(void)
     if (brake.overridden) {
         brake.brake_pct = 0;
         brake.state = BRAKE_RELEASED;
-    } else if (is_within || latch_state != LATCH_OPEN) {
+    } else if (is_within || LATCH_IS_STOP()) {
         brake.stop = true;
         brake.brake_pct = 100;
         brake.state = BRAKE_STOP;
@@ -75,7 +76,7 @@ static void demand_fault(void)
 /* What a beginning sets, for contracts. */
 #define BEGINNING                                                                                  \
     brake, range_reading.kind, demand_pct, is_in_reach, override_cs, is_believed, is_within,       \
-        fault_state, fault_code, silence_cs, good_readings, latch_state, LATCH_COUNTS,             \
+        fault_state, fault_code, silence_cs, good_readings, latch_state, latch_twin, LATCH_COUNTS, \
         left_readings, target_worth, closing_place_mm, closing_difference, closing_smooth,         \
         since_cs, since_aside_cs, aside_mm, is_clear, is_moving, was_near, TARGET_STUCK_STATE,     \
         clears, smooth_2mmps
@@ -106,7 +107,7 @@ void brake_init(uint8_t fault)
 
 /*@ requires brake_is_valid && brake_is_settled;
     assigns brake.brake_pct, brake.stop, brake.state, demand_pct, fault_state, fault_code,
-            latch_state;
+            latch_state, latch_twin;
     ensures brake_is_valid && brake_is_settled;
     ensures latch_state == (fault == BRAKE_FAULT_OUTPUT && FAULT_PCT > 0 ? LATCH_HELD
                                                                      : \old(latch_state));
@@ -145,10 +146,10 @@ void brake_begin_anew(void)
     if (brake.stop) {
         votes++;
     }
-    if (brake.brake_pct == 100) {
+    if (latch_state != LATCH_OPEN) {
         votes++;
     }
-    if (latch_state != LATCH_OPEN) {
+    if (latch_twin != 0xFFU - LATCH_OPEN) {
         votes++;
     }
     brake_init(BRAKE_FAULT_WATCHDOG);
@@ -339,7 +340,7 @@ static bool is_urgent(void)
 }
 
 /*@ requires brake_is_valid && brake_is_settled;
-    assigns brake.brake_pct, brake.stop, brake.state, brake.warn, is_within, latch_state,
+    assigns brake.brake_pct, brake.stop, brake.state, brake.warn, is_within, latch_state, latch_twin,
             LATCH_COUNTS, left_readings,
             closing_smooth, closing_difference, CLOSING_FINISHED;
     ensures brake_is_valid && brake_is_settled && !is_within;
@@ -368,7 +369,7 @@ void brake_finish(void)
 
 /*@ requires brake_is_valid && brake_is_settled && !is_within;
     assigns brake.brake_pct, brake.stop, brake.state, brake.overridden, demand_pct, override_cs,
-            latch_state, fault_state, silence_cs, good_readings;
+            latch_state, latch_twin, fault_state, silence_cs, good_readings;
     ensures brake_is_valid && brake_is_settled;
     ensures override_cs == (override_held ? \min(\old(override_cs) + 1, BRAKE_OVERRIDE_END_CS) : 0);
     ensures t8_override: brake.overridden <==> override_held && override_cs >= BRAKE_OVERRIDE_CS &&

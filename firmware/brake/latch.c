@@ -3,7 +3,7 @@
 #include "latch.h"
 #include "target.h"
 
-uint8_t latch_state;
+uint8_t latch_state, latch_twin;
 
 static uint8_t clear_readings;     /* in a row */
 static uint8_t elsewhere_readings; /* of a target that began beyond LATCH_NEAR_MM */
@@ -53,6 +53,7 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
     predicate latch_counts_opening = \true; */
 #endif
 /*@ predicate latch_is_valid =
+        latch_is_whole &&
         clear_readings <= LATCH_ROAD_READINGS && elsewhere_readings <= LATCH_PASSED_READINGS &&
         latch_counts_opening;
     predicate latch_sees_beyond =
@@ -90,6 +91,7 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
 void latch_init(void)
 {
     latch_state = LATCH_OPEN;
+    latch_twin = (uint8_t)~LATCH_OPEN;
     clear_readings = 0;
     elsewhere_readings = 0;
 #if RANGE_IS_FAST
@@ -98,14 +100,23 @@ void latch_init(void)
 #endif
 }
 
+/*@ assigns latch_state, latch_twin;
+    ensures latch_state == next;
+    ensures \old(latch_is_whole) ==> latch_is_whole; */
+static void enter(uint8_t next)
+{
+    latch_twin = (uint8_t)(latch_twin + latch_state - next);
+    latch_state = next;
+}
+
 void latch_hold(void)
 {
-    latch_state = LATCH_HELD;
+    enter(LATCH_HELD);
 }
 
 void latch_override(void)
 {
-    latch_state = LATCH_OPEN;
+    enter(LATCH_OPEN);
 }
 
 #if RANGE_IS_FAST
@@ -244,14 +255,14 @@ void latch_take(bool is_of_target)
     uint8_t column = column_of(is_of_target);
 
     if (latch_state >= LATCH_STATES) { /* a bit has turned over: the safe side */
-        latch_state = LATCH_HELD;
+        enter(LATCH_HELD);
     }
 #if RANGE_IS_FAST
     if (is_too_early(column)) {
         return;
     }
 #endif
-    latch_state = NEXT[latch_state][column];
+    enter(NEXT[latch_state][column]);
 }
 
 uint8_t latch_sum(void)

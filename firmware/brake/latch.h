@@ -51,27 +51,34 @@
 
 enum latch_state { LATCH_OPEN, LATCH_TRIAL, LATCH_DOUBTED, LATCH_HELD, LATCH_OPENING };
 #define LATCH_STATES 5U
-extern uint8_t latch_state;
+/* The twin is the state's complement, and follows each of its changes. Where a bit of either turns
+ * over, that is no longer so, until latch_init. STOP is where both say it. */
+extern uint8_t latch_state, latch_twin;
+/*@ predicate latch_is_whole = latch_state + latch_twin == 0xFF; */
+#define LATCH_IS_WHOLE() ((uint8_t)(latch_state + latch_twin) == 0xFFU)
+#define LATCH_IS_STOP()  (latch_state != LATCH_OPEN && latch_twin != 0xFFU - LATCH_OPEN)
 
-/*@ assigns latch_state;
-    ensures latch_state == LATCH_OPEN; */
+/*@ assigns latch_state, latch_twin;
+    ensures latch_state == LATCH_OPEN && latch_is_whole; */
 void latch_init(void);
 
 /* range_reading came; is_of_target: it is one of the target of target.h. Up to 120 mc. */
-/*@ assigns latch_state;
+/*@ assigns latch_state, latch_twin;
     ensures latch_state < LATCH_STATES;
     ensures t1_echo: range_reading.kind == RANGE_ECHO && range_reading.dist_mm <= BRAKE_STOP_MM
                 ==> latch_state != LATCH_OPEN; */
 void latch_take(bool is_of_target);
 
 /* STOP goes on, whatever was before. */
-/*@ assigns latch_state;
-    ensures latch_state == LATCH_HELD; */
+/*@ assigns latch_state, latch_twin;
+    ensures latch_state == LATCH_HELD;
+    ensures \old(latch_is_whole) ==> latch_is_whole; */
 void latch_hold(void);
 
 /* The driver has the brake. */
-/*@ assigns latch_state;
-    ensures latch_state == LATCH_OPEN; */
+/*@ assigns latch_state, latch_twin;
+    ensures latch_state == LATCH_OPEN;
+    ensures \old(latch_is_whole) ==> latch_is_whole; */
 void latch_override(void);
 
 /* This part of brake_sum. */

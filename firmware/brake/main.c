@@ -6,11 +6,10 @@
 #include "hal.h"
 #include "identity.h"
 #include "lamp.h"
+#include "latch.h"
 #include "law.h"
 #include "range.h"
 #include "telemetry.h"
-
-#define IDLE_MS 100U /* an echo cut off by a reset is over by then */
 
 #define WAIT_TICKS (RANGE_WAIT_CS * 10U / HAL_TICK_MS)
 
@@ -26,9 +25,8 @@ static __idata uint8_t centiseconds;
 
 /* One bit that turns over does not start the self-test again, in which the brake does not act. */
 enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
-static uint8_t phase;             /* enum phase; any other value is PHASE_RUN */
-static uint8_t code_test;         /* enum hal_code */
-static __idata uint8_t idle_wait; /* ticks */
+static uint8_t phase;     /* enum phase; any other value is PHASE_RUN */
+static uint8_t code_test; /* enum hal_code */
 
 static uint8_t triggered; /* tick of the last trigger, or of the last reading without one */
 static __bit is_measuring;
@@ -90,7 +88,7 @@ static void apply(void)
     assigns dropped, telemetry_values[0 .. TELEMETRY_VALUES - 1]; */
 static void report(void)
 {
-    uint16_t speed_mmps = CLOSING_LAW.closing_mmps;
+    uint16_t speed_mmps;
 
     if (!is_talking) {
         return;
@@ -107,6 +105,7 @@ static void report(void)
         telemetry_values[3].number = range_reading.dist_mm;
     }
     telemetry_values[4].text = "";
+    speed_mmps = CLOSING_LAW.closing_mmps;
     if (CLOSING_LAW.opening_mmps != 0) {
         telemetry_values[4].text = "-";
         speed_mmps = CLOSING_LAW.opening_mmps;
@@ -170,8 +169,8 @@ static void fail(uint8_t fault)
     seal();
 }
 
-/* A bit has turned over: of what was sealed, of the clock, or of the brake's force while that was
- * being decided. */
+/* A bit has turned over: of what was sealed, of the clock, or, while they were being decided, of
+ * the brake's force or of STOP. */
 /*@ requires phase != PHASE_TEST;
     requires code_test <= HAL_CODE_BAD;
     ensures t10_anew: main_is_valid && phase == \old(phase) && code_test == \old(code_test) &&
@@ -230,12 +229,15 @@ static void poll(void)
 static void measure(void)
 {
 #if RANGE_IS_TRIGGERED
-    uint8_t elapsed_cs = (uint8_t)(tick - triggered);
+    uint8_t elapsed_cs;
 #endif
 
     if (is_measuring) {
         conclude(hal_range());
     }
+#if RANGE_IS_TRIGGERED
+    elapsed_cs = (uint8_t)(tick - triggered);
+#endif
     stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
     check();
     triggered = tick;
@@ -253,9 +255,12 @@ static void measure(void)
                 fault_state == FAULT_LASTING && pin_brake_pct >= FAULT_PCT; */
 static void finish_selftest(uint8_t fault)
 {
-    phase = PHASE_RUN;
-    triggered = tick; /* the first measurement comes a period after the brake's release */
     brake_init(fault);
+    triggered = tick;          /* the first measurement comes a period after the brake's release */
+    if (phase != PHASE_TEST) { /* a program that ran wild has come here */
+        hal_restart();
+    }
+    phase = PHASE_RUN;
     apply();
     seal();
 }
@@ -276,10 +281,8 @@ static void test(void)
         finish_selftest(BRAKE_FAULT_RAM);
     } else if (code_test == HAL_CODE_BAD) {
         finish_selftest(BRAKE_FAULT_TABLE);
-    } else if (hal_range_is_busy()) {
-        if (idle_wait == 0) { /* the last echo before the reset is over by now */
-            finish_selftest(BRAKE_FAULT_IDLE);
-        }
+    } else if (hal_range_is_busy()) { /* and the last echo before a reset is over by now */
+        finish_selftest(BRAKE_FAULT_IDLE);
     } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
         finish_selftest(BRAKE_FAULT_WATCHDOG);
     } else {
@@ -389,27 +392,28 @@ static void talk(void)
 /*@ requires pin_stop && pin_brake_pct == 100 && code_test <= HAL_CODE_BAD; */
 void main(void)
 {
-    /* Must be first: the pins are safe, the clock runs. Each start clears RAM. */
-    if (phase == PHASE_RUN) {
-        hal_restart();
-    }
+    /* Must be first: the pins are safe, the clock runs. */
     hal_init();
 
     /* In any order. */
-    phase = PHASE_TEST;
     brake_init(BRAKE_FAULT_NONE); /* nothing of it is at the pins before the self-test is over */
     is_talking = true;
-    idle_wait = IDLE_MS / HAL_TICK_MS;
     command = 'v';
     stack_unused = hal_stack_unused();
     tick = hal_ticks();
+
+    /* Must be last: a start clears RAM, so a program that ran wild has come here otherwise, at
+     * whichever of the lines above. Added, so that not even this line alone begins the self-test. */
+    if (phase != 0) {
+        hal_restart();
+    }
+    phase += PHASE_TEST;
 
     /*@ loop invariant t9_on: main_is_valid; */
     for (;;) {
         /* Every round, less than a millisecond. */
         hal_begin_round();
         hal_registers_restore();
-        flow = 0;
         if (phase == PHASE_TEST) {
             test();
             flow = FLOW_TESTED;
@@ -440,6 +444,7 @@ void main(void)
             hal_restart();
         }
         if (hal_ticks() == tick) {
+            flow = 0;
             continue;
         }
 
@@ -449,9 +454,6 @@ void main(void)
         sent = 0;
         if (phase == PHASE_TEST) {
             flow = FLOW_TICK;
-            if (code_test != HAL_CODE_RUNNING && idle_wait != 0) {
-                idle_wait--;
-            }
         } else {
             check(); /* again, so that what is sealed below was whole before */
             if (!hal_outputs_follow(brake.stop)) {
@@ -478,6 +480,7 @@ void main(void)
         if (flow != FLOW_TICK) {
             hal_restart();
         }
+        flow = 0;
         /* Nothing above took so long that a tick went by unseen. */
         if (hal_ticks() == tick) {
             hal_watchdog_feed();

@@ -64,9 +64,6 @@ unsigned char EXTERNAL_STARTUP(void)
         cause = HAL_RESET_PIN;
 #endif
     }
-    if (TR1) { /* a reset stops timer 1 */
-        cause = HAL_RESET_WATCHDOG;
-    }
     PCON = (uint8_t)(cause << CAUSE_SHIFT);
     /* Time to paint the stack again, even if the watchdog ran already. It clears the STC89's
      * flag. */
@@ -118,7 +115,11 @@ static void paint_stack(void)
 
 void hal_init(void)
 {
-    pin_stop = 1; /* a program that ran wild may come here without a reset */
+    /* A program that ran wild may come here without a reset, which stops timer 1. */
+    pin_stop = 1;
+    if (TR1) {
+        PCON = HAL_RESET_WATCHDOG << CAUSE_SHIFT;
+    }
     ram_is_good = test_ram();
     paint_stack();
     pwm_init();

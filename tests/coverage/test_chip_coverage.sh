@@ -45,7 +45,8 @@ ways() { # CONTROLLER
         folder=tests/loop
         usual=$folder/standing_car_3mps.scn
         printf '%s\n' "drive $usual" "type_keys _dropped" "type_keys _seconds" high_line \
-            "jump $(label_at brake/main _main)" "overwrite brake/main _flow" \
+            "jump $(label_at brake/main _main)" "jump $(label_at brake/main _finish_selftest)" "overwrite brake/main _flow" \
+            'overwrite mcu/code _state 200000 8' 'overwrite mcu/code _state 200000 16' \
             "jump $(line_at brake/main 'flow != FLOW_TICK')" \
             "flip_cell tests/loop/constant_gap_noise.scn brake/brake _brake 1 0 5" \
             "flip_cell tests/loop/constant_gap_noise.scn mcu/code _state 4 0 5" # the sum that it has learned
@@ -143,10 +144,11 @@ high_line() {
 }
 
 # A byte is 255, a few times within 2 ms: so the lower byte of a counter overflows, and the marks of a round are wrong.
-overwrite() { # MODULE VARIABLE
+# Or, at another time, it is another value.
+overwrite() { # MODULE VARIABLE [US VALUE]
     local k
     S51_SETS="iram[$(label_at "$1" "$2")]" s51_start "$board" "$hex"
-    for ((k = 0; k < 20; k++)); do s51_set $((700000 + 97 * k)) 255; done
+    for ((k = 0; k < 20; k++)); do s51_set $((${3:-700000} + 97 * k)) "${4:-255}"; done
     s51_until 2000000
     s51_stop
     keep_covered

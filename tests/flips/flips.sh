@@ -28,7 +28,7 @@ drives=("approach 0 0.2 0.5 0.8 1.1" "follow 0 0.5 1 0.2 1.5" "stop 100 0.5 0.1 
 fly() { # BOARD DRIVE LEAST WHAT FILE AT...
     local board=$1 drive=$2 least=$3 what=$4 file=$5 stack
     shift 5
-    stack=$(($(awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' "$out/$board"/brake.map) + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
+    stack=$(($(stack_at "$out" "$board") + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
     local options=(--ram=00-FF --seed="$(cksum <<<"$drive" | cut -d " " -f 1)")
     [[ $what != bits && $what != space ]] || options+=("--sfr=$registers")
     [ "$what" != space ] || options+=("--window=$slice" --sample=200)

@@ -13,3 +13,8 @@ link_brake() { # FOLDER BOARD
 variable_at() { # FOLDER BOARD NAME
     printf '%X' "$(address_of "_$3" "$1/$2"/brake/*/*.rst)"
 }
+
+# Where the stack of that image begins.
+stack_at() { # FOLDER BOARD
+    awk '$2 == "__start__stack" { print "0x" substr($1, 7) }' "$1/$2/brake.map"
+}

@@ -1032,7 +1032,7 @@ static void test_begun_anew_stop_goes_on_if_two_of_three_say_so(void)
         if (wrong == 0) {
             brake.stop = false;
         } else if (wrong == 1) {
-            brake.brake_pct ^= 64;
+            latch_twin = 0xFFU - LATCH_OPEN;
         } else {
             latch_state = LATCH_OPEN;
         }
@@ -1045,10 +1045,66 @@ static void test_begun_anew_stop_goes_on_if_two_of_three_say_so(void)
 
 static void test_begun_anew_one_of_three_is_no_stop(void)
 {
-    latch_state = LATCH_HELD;
-    brake_begin_anew();
-    TEST_ASSERT_FALSE(brake.stop);
-    TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+    uint8_t wrong;
+
+    for (wrong = 0; wrong < 3; wrong++) {
+        start();
+        if (wrong == 0) {
+            brake.stop = true;
+        } else if (wrong == 1) {
+            latch_twin = 0xFFU - LATCH_HELD;
+        } else {
+            latch_state = LATCH_HELD;
+        }
+        brake_begin_anew();
+        TEST_ASSERT_FALSE(brake.stop);
+        TEST_ASSERT_EQUAL_UINT8(FAULT_PCT, brake.brake_pct);
+        TEST_ASSERT_TRUE(LATCH_IS_WHOLE());
+    }
+}
+
+/* Through all states: STOP begins, is held, opens and ends. */
+static void test_the_latch_has_a_twin(void)
+{
+    uint16_t mm;
+
+    for (mm = 3000; mm > 900; mm -= 20) {
+        echo(mm);
+        TEST_ASSERT_TRUE(LATCH_IS_WHOLE());
+    }
+    TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
+    for (; mm < 3000; mm += 20) {
+        echo(mm);
+        TEST_ASSERT_TRUE(LATCH_IS_WHOLE());
+    }
+    TEST_ASSERT_EQUAL_UINT8(LATCH_OPEN, latch_state);
+    latch_hold();
+    TEST_ASSERT_TRUE(LATCH_IS_WHOLE());
+    latch_override();
+    TEST_ASSERT_TRUE(LATCH_IS_WHOLE());
+}
+
+/* What has turned over stays visible, whatever the latch does then, and is no STOP. */
+static void test_a_bit_of_the_latch_that_turns_over_shows(void)
+{
+    uint8_t bit;
+
+    for (bit = 1; bit != 0; bit = (uint8_t)(bit << 1)) {
+        start();
+        echoes(3000, 3);
+        latch_state ^= bit;
+        brake_tick(false);
+        TEST_ASSERT_FALSE(brake.stop);
+        echoes(3000, 2);
+        TEST_ASSERT_FALSE(LATCH_IS_WHOLE());
+        start();
+        echoes(3000, 3);
+        latch_twin ^= bit;
+        brake_tick(false);
+        TEST_ASSERT_FALSE(brake.stop);
+        echoes(3000, 2);
+        TEST_ASSERT_FALSE(LATCH_IS_WHOLE());
+    }
 }
 
 static void test_begun_anew_a_lasting_fault_lasts(void)
@@ -1330,6 +1386,8 @@ int main(void)
     RUN_TEST(test_begun_anew_it_brakes_no_less_than_before);
     RUN_TEST(test_begun_anew_stop_goes_on_if_two_of_three_say_so);
     RUN_TEST(test_begun_anew_one_of_three_is_no_stop);
+    RUN_TEST(test_the_latch_has_a_twin);
+    RUN_TEST(test_a_bit_of_the_latch_that_turns_over_shows);
     RUN_TEST(test_begun_anew_a_lasting_fault_lasts);
     RUN_TEST(test_a_fault_that_turns_over_by_itself_brakes_at_the_next_tick);
     RUN_TEST(test_init_forgets_what_was_before);
