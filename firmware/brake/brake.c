@@ -23,13 +23,12 @@ static __bit is_believed, is_within;
         (brake.overridden ==> override_cs >= BRAKE_OVERRIDE_CS) &&
         fault_is_valid && latch_is_valid && target_is_valid;
     predicate brake_is_settled =
-        (brake.stop <==> !brake.overridden && (is_within || latch_state != LATCH_OPEN)) &&
+        (brake.stop <==> !brake.overridden && (is_within || latch_is_stop)) &&
         brake.brake_pct == (brake.overridden ? 0 : brake.stop ? 100 : demand_pct) &&
         brake.state <= BRAKE_FAULT &&
         (brake.state == BRAKE_FAULT <==> fault_state != FAULT_GOOD); */
 /* What the pins do, from what was decided. */
-/*@ requires latch_is_whole;
-    assigns brake.brake_pct, brake.stop, brake.state;
+/*@ assigns brake.brake_pct, brake.stop, brake.state;
     ensures brake_is_settled; */
 static void settle(void)
 {

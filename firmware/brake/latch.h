@@ -54,7 +54,8 @@ enum latch_state { LATCH_OPEN, LATCH_TRIAL, LATCH_DOUBTED, LATCH_HELD, LATCH_OPE
 /* The twin is the state's complement, and follows each of its changes. Where a bit of either turns
  * over, that is no longer so, until latch_init. STOP is where both say it. */
 extern uint8_t latch_state, latch_twin;
-/*@ predicate latch_is_whole = latch_state + latch_twin == 0xFF; */
+/*@ predicate latch_is_whole = latch_state + latch_twin == 0xFF;
+    predicate latch_is_stop = latch_state != LATCH_OPEN && latch_twin != 0xFF - LATCH_OPEN; */
 #define LATCH_IS_WHOLE() ((uint8_t)(latch_state + latch_twin) == 0xFFU)
 #define LATCH_IS_STOP()  (latch_state != LATCH_OPEN && latch_twin != 0xFFU - LATCH_OPEN)
 

@@ -105,11 +105,12 @@ static void take_frame(void)
 
 static void listen(void)
 {
-    uint8_t result = frame_push(hal_take());
+    uint8_t byte = hal_take(), result;
 
     if (is_testing || fault >= FRAMES_FAULT_TABLE) {
         return;
     }
+    result = frame_push(byte);
     if (result == FRAME_GOOD) {
         take_frame();
     } else if (result == FRAME_ITEM) {

@@ -8,7 +8,12 @@ static __idata uint16_t
 static __idata uint8_t frames_good; /* in a row, while the link is not up */
 static __idata uint8_t link;        /* enum link_state */
 
-/*@ assigns link, since_ms, frames_good;
+/* Holds from link_init on. */
+/*@ predicate link_is_valid =
+        link <= LINK_LOST && (link != LINK_UP ==> frames_good < LINK_GOOD_FRAMES); */
+
+/*@ requires state <= LINK_LOST;
+    assigns link, since_ms, frames_good;
     ensures link == state && since_ms == now_ms && frames_good == 0; */
 void link_init(uint8_t state, uint16_t now_ms)
 {
@@ -17,8 +22,9 @@ void link_init(uint8_t state, uint16_t now_ms)
     frames_good = 0;
 }
 
-/*@ requires link <= LINK_LOST && frames_good < LINK_GOOD_FRAMES;
+/*@ requires link_is_valid;
     assigns link, since_ms, frames_good;
+    ensures link_is_valid;
     ensures \result <==> link == LINK_UP;
     ensures \result ==> since_ms == now_ms;
     ensures up_needs_three: \old(link) != LINK_UP && \result ==>
@@ -38,7 +44,9 @@ bool link_good(uint16_t now_ms)
     return true;
 }
 
-/*@ assigns frames_good;
+/*@ requires link_is_valid;
+    assigns frames_good;
+    ensures link_is_valid;
     ensures bad_is_no_life: since_ms == \old(since_ms) && link == \old(link);
     ensures frames_good == 0; */
 void link_bad(void)
@@ -46,8 +54,9 @@ void link_bad(void)
     frames_good = 0;
 }
 
-/*@ requires link <= LINK_LOST;
+/*@ requires link_is_valid;
     assigns link, frames_good;
+    ensures link_is_valid;
     ensures \result == link;
     ensures silence_is_lost: \old(link) == LINK_UP &&
                 (uint16_t)(now_ms - since_ms) >= LINK_SILENCE_MS ==> link == LINK_LOST;

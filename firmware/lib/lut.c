@@ -124,10 +124,12 @@ uint16_t lut_crc16(uint16_t crc, uint16_t offset, uint8_t count)
         byte = (const uint8_t __code *)lut_out2 + (uint16_t)(offset - sizeof lut_out1);
     }
 #endif
+#if LUT_OUTPUTS == 1
     /*@ loop invariant 1 <= count <= \at(count, Pre);
         loop invariant byte == (uint8_t *)lut_out1 + offset + (\at(count, Pre) - count);
         loop assigns high, low, byte, count;
         loop variant count; */
+#endif
     do {
         CRC16_ADD(high, low, *byte);
         byte++;

@@ -65,6 +65,7 @@ int16_t plan_sine_q15(uint16_t angle_turn16)
         within = QUARTER_TURN - within;
     }
     at = (uint8_t)(within >> 8);
+    /*@ split at; */
     sine = sines_q15[at];
     if (at < SINES - 1) {
         sine += (int16_t)part((uint16_t)(sines_q15[(uint8_t)(at + 1)] - sine), (uint8_t)within);
