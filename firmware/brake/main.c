@@ -403,7 +403,8 @@ void main(void)
     tick = hal_ticks();
 
     /* Must be last: a start clears RAM, so a program that ran wild has come here otherwise, at
-     * whichever of the lines above. Added, so that not even this line alone begins the self-test. */
+     * whichever of the lines above. Added, so that not even this line alone begins the self-test.
+     */
     if (phase != 0) {
         hal_restart();
     }

@@ -66,19 +66,20 @@ check "some of the flips are not harmless" awk -F, 'NR > 1 { other += $5 + $7 + 
 check "a flip flown by itself comes to what its class does" awk '
     /^flip: [0-9]+ runs; of [0-9]+ flips by chance/ { good = $2 > 10 && $5 >= 30 && $12 == $5 } END { exit !good }' "$out/said"
 
-# Whenever a bit of the demand flips in FAULT, also while the decision is at work: no full brake of a second, and none
-# below FAULT's. Whichever bit of a return address flips in the self-test: that ends, and the brake acts.
+# Whenever a bit of the demand or of STOP's state flips in FAULT, also while the decision is at work: no full brake of a
+# second, and none below FAULT's. Whichever bit of a return address flips in the self-test: that ends, and the brake acts.
 link at89s52
-stack=$(stack_at "$out" "$board")
-whenever() { # NAME SCENARIO RAM MS OPTION...
-    local name=$1 scenario=$2 ram=$3 ms=$4
-    shift 4
-    flip "$scenario" --what=space --window="$ms" --ram="$ram" --fault-state="$(address fault_state)" "$@" -o "$out/$scenario.csv" 2>"$out/said"
-    check "$name" awk -F, -v rows="$((8 * ram_bytes + 1))" -v ms="$ms" '
-        NR > 1 { unsafe += $9; for (i = 4; i <= 9; i++) all += $i } END { exit !(NR == rows && unsafe == 0 && all > (rows - 1) * ms * 900) }' "$out/$scenario.csv"
+whenever() { # NAME SCENARIO ADDRESS BYTES MS OPTION...
+    local name=$1 scenario=$2 address=$3 bytes=$4 ms=$5
+    shift 5
+    flip "$scenario" --what=space --window="$ms" --ram="$(printf '%X-%X' "$address" $((address + bytes - 1)))" \
+        --fault-state="$(address fault_state)" "$@" -o "$out/$scenario.csv" 2>"$out/said"
+    check "$name" awk -F, -v bits=$((8 * bytes)) -v ms="$ms" '
+        NR > 1 { unsafe += $9; for (i = 4; i <= 9; i++) all += $i } END { exit !(NR == bits + 1 && unsafe == 0 && all > bits * ms * 900) }' "$out/$scenario.csv"
 }
-ram_bytes=1 whenever "no flip of the demand in FAULT is unsafe" fault "$(bytes demand_pct 1)" 10 --at=0.7 --least=60
-ram_bytes=4 whenever "no flip of a return address in the self-test is unsafe" start "$(printf '%X-%X' $stack $((stack + 3)))" 2 --at=-0.06
+whenever "no flip of the demand in FAULT is unsafe" fault $((0x$(address demand_pct))) 1 10 --at=0.7 --least=60
+whenever "no flip of STOP's state in FAULT is unsafe" fault $((0x$(address latch_state))) 1 10 --at=0.7 --least=60
+whenever "no flip of a return address in the self-test is unsafe" start "$(stack_at "$out" "$board")" 4 2 --at=-0.06
 
 # --- what flip says of odd input ------------------------------------------------------------------------
 good=("--board=$board" --scenario=tests/flips/stop.scn --at=0.5)

@@ -47,8 +47,8 @@ int outfile_open(struct outfile *out, const char *path);
  * EXIT_INPUT after a message (disk full, ...). */
 int outfile_flush(struct outfile *out);
 
-/* Flushes the file and renames it to its place. Returns EXIT_FINE, or EXIT_INPUT after a message (disk full, ...),
- * with nothing left behind. */
+/* Flushes the file and renames it to its place. Returns EXIT_FINE, or EXIT_INPUT after a message
+ * (disk full, ...), with nothing left behind. */
 int outfile_commit(struct outfile *out);
 
 /* Takes the temporary file away; does nothing after a commit. */
