@@ -42,7 +42,7 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
 };
 
 /* What the latch counts, for the contracts here and in brake.c; whether the tracked target opens;
- * and what holds from latch_init on, whatever happens to latch_state. */
+ * and what holds from latch_init on. */
 #if RANGE_IS_FAST
 #define LATCH_COUNTS clear_readings, elsewhere_readings, opening_readings, early_readings
 /*@ predicate latch_opens = opening_readings == LATCH_OPENING_READINGS;
@@ -53,7 +53,7 @@ static const uint8_t __code NEXT[LATCH_STATES][COLUMNS] = {
     predicate latch_counts_opening = \true; */
 #endif
 /*@ predicate latch_is_valid =
-        latch_is_whole &&
+        latch_is_whole && latch_state < LATCH_STATES &&
         clear_readings <= LATCH_ROAD_READINGS && elsewhere_readings <= LATCH_PASSED_READINGS &&
         latch_counts_opening;
     predicate latch_sees_beyond =
@@ -254,8 +254,8 @@ void latch_take(bool is_of_target)
 {
     uint8_t column = column_of(is_of_target);
 
-    if (latch_state >= LATCH_STATES) { /* a bit has turned over: the safe side */
-        enter(LATCH_HELD);
+    if (!LATCH_IS_WHOLE()) { /* a bit has turned over, which stays visible */
+        return;
     }
 #if RANGE_IS_FAST
     if (is_too_early(column)) {

@@ -627,6 +627,7 @@ static void test_a_target_opens_when_it_is_faster_than_the_limit_in_six_readings
 static void test_another_echo_ends_opening_at_once(void)
 {
     latch_state = LATCH_OPENING;
+    latch_twin = (uint8_t)~LATCH_OPENING;
     early_readings = 3;
     see(3000, false);
     TEST_ASSERT_EQUAL_UINT8(LATCH_HELD, latch_state);
