@@ -5,8 +5,8 @@
 . tests/lib.sh
 board=stc89c516rd
 
-# LAW SCENARIO SETTING...: gaps within 3 cm (or $gap_m), contact within 0.05 m/s, jerk within 3 %, deceleration and
-# its rms within 3 % (or $part).
+# LAW SCENARIO SETTING...: gaps within 3 cm (or $gap_m), contact within 0.05 m/s, jerk within 3 % (or $jerk_part),
+# deceleration and its rms within 3 % (or $part).
 agrees() {
     local law=$1 scenario=$2 sets=() one
     shift 2
@@ -14,7 +14,7 @@ agrees() {
     build/drive run --brief --hex build/$board/"$law".ihx --board $board --scenario "$scenario" "${sets[@]}" \
         --json "$out/out.json" >"$out/log" 2>&1
     build/lab run build/lab-images/"$law".so --scenario "$scenario" "${sets[@]}" >"$out/host" 2>>"$out/log"
-    awk -v gap_m="${gap_m:-0.03}" -v part="${part:-0.03}" '
+    awk -v gap_m="${gap_m:-0.03}" -v part="${part:-0.03}" -v jerk_part="${jerk_part:-0.03}" '
     FNR == NR { host[$1] = $2; n++; next }
     /"outcome"/ { inside = 1 }
     /"expect"/ { inside = 0 }
@@ -28,7 +28,7 @@ agrees() {
     }
     END {
         differs("impact_mps", 0.05, 0); differs("min_gap_m", gap_m, 0); differs("stop_gap_m", gap_m, 0)
-        differs("peak_decel_mps2", 0.02, part); differs("peak_jerk_mps3", 0.2, 0.03)
+        differs("peak_decel_mps2", 0.02, part); differs("peak_jerk_mps3", 0.2, jerk_part)
         differs("rms_accel_mps2", 0.01, part)
     }' "$out/host" "$out/out.json" | tr '\n' ';'
 }
@@ -43,7 +43,9 @@ done
 # chip triggers varies by 0.8 ms: so it ends 1.5 ms earlier here, in the middle between two periods.
 # One that comes a period later by that costs 3 cm: the way of 10 ms at 3.1 m/s, beside the 3 cm.
 for law in brake tuned classic; do
-    faultless "${law}_noisy_4.0" "$(agrees $law tests/loop/tuned/standing_car_40.scn scenario.seed=7)"
+    # With noise each reading asks for another duty: one that comes a period later meets the step of the next, which
+    # makes up to a tenth of the jerk.
+    faultless "${law}_noisy_4.0" "$(jerk_part=0.1 agrees $law tests/loop/tuned/standing_car_40.scn scenario.seed=7)"
     faultless "${law}_lead_brakes" "$(gap_m=0.061 agrees $law tests/loop/tuned/lead_brakes_5mps2.scn sensor.no_echo_us=36500)"
 done
 # Behind the lidar a scenario begins with the end of the self-test, so the PWM's phase in it changes with the
