@@ -161,6 +161,17 @@ static void make_two(void)
     TEST_ASSERT_TRUE(mcs52_set_pin(chip, 500, 1, 2, false));
 }
 
+static void test_a_copy_in_memory_of_the_callers_own(void)
+{
+    struct mcs52 *own = calloc(1, mcs52_size());
+
+    TEST_ASSERT_NOT_NULL(own);
+    mcs52_run(chip, 100);
+    mcs52_copy(own, chip);
+    TEST_ASSERT_TRUE(mcs52_equal(chip, own));
+    free(own);
+}
+
 static void test_that_chips_differ_where_their_ways_part(void)
 {
     make_two();
@@ -309,6 +320,7 @@ int main(void)
     RUN_TEST(test_that_a_bit_sticks_until_it_is_healed);
     RUN_TEST(test_that_flips_come_in_their_order);
     RUN_TEST(test_that_bits_that_are_not_there_are_refused);
+    RUN_TEST(test_a_copy_in_memory_of_the_callers_own);
     RUN_TEST(test_that_chips_differ_where_their_ways_part);
     RUN_TEST(test_that_looking_changes_nothing);
     RUN_TEST(test_that_a_snapshot_goes_on_alike);

@@ -115,8 +115,9 @@ void mcs52_poke(struct mcs52 *chip, uint8_t address, uint8_t value);
 void mcs52_jump(struct mcs52 *chip, uint16_t pc);
 
 /* A checkpoint: TO becomes FROM in all but the functions of mcs52_outside, the watched pins and the
- * coverage map. */
+ * coverage map. TO may also be mcs52_size() bytes of 0, in memory of the caller's own. */
 void mcs52_copy(struct mcs52 *to, const struct mcs52 *from);
+size_t mcs52_size(void);
 
 /* A small checkpoint: all but code, XDATA, what the outside does to the pins later, and faults.
  * Brings the chip up to date for that, so that chips that go on alike have equal snapshots. Not of

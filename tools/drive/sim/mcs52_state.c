@@ -4,6 +4,11 @@
 
 #include <string.h>
 
+size_t mcs52_size(void)
+{
+    return sizeof(struct mcs52);
+}
+
 void mcs52_copy(struct mcs52 *to, const struct mcs52 *from)
 {
     struct mcs52_outside outside = to->outside;
