@@ -3,6 +3,8 @@
  * and comparing two chips. */
 #include "mcs52_chip.h"
 
+#include <stdlib.h>
+
 #ifndef __SANITIZE_ADDRESS__
 #include <sys/resource.h>
 #endif

@@ -139,22 +139,21 @@ bool fair_is_same_world(const struct fair *fair, const struct judge_row *row, do
            fabs(speed_mps - fair->speeds_mps[at]) < same;
 }
 
-bool fair_is_same_chip(struct mcs52 *chip, struct mcs52 *fair_chip, const long excused[2])
+bool fair_is_same_chip(struct mcs52 *chip, const struct mcs52 *fair_chip, const long excused[2])
 {
-    uint8_t *ram = mcs52_ram(chip), *fair_ram = mcs52_ram(fair_chip), bytes[2] = {0};
-    bool same;
+    static struct mcs52 *own; /* to compare brings both up to date, and other processes read that */
 
+    if (mcs52_cycles(chip) != mcs52_cycles(fair_chip) || mcs52_pc(chip) != mcs52_pc(fair_chip)) {
+        return false;
+    }
+    if (own == NULL) {
+        own = mcs52_create(MCS52_INTEL, NULL);
+    }
+    mcs52_copy(own, fair_chip);
     for (int i = 0; i < 2; i++) {
         if (excused[i] >= 0) {
-            bytes[i] = ram[excused[i]];
-            ram[excused[i]] = fair_ram[excused[i]];
+            mcs52_ram(own)[excused[i]] = mcs52_ram(chip)[excused[i]];
         }
     }
-    same = mcs52_equal(chip, fair_chip);
-    for (int i = 0; i < 2; i++) {
-        if (excused[i] >= 0) {
-            ram[excused[i]] = bytes[i];
-        }
-    }
-    return same;
+    return mcs52_equal(chip, own);
 }

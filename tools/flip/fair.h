@@ -51,8 +51,7 @@ bool fair_is_in_fault(struct loop *loop, long fault_at);
 bool fair_is_same_world(const struct fair *fair, const struct judge_row *row, double speed_mps,
                         int at);
 
-/* Both chips would go on alike. EXCUSED: addresses of RAM that do not count, -1: none. Leaves both
- * as they are in all that matters. */
-bool fair_is_same_chip(struct mcs52 *chip, struct mcs52 *fair_chip, const long excused[2]);
+/* Both chips would go on alike. EXCUSED: addresses of RAM that do not count, -1: none. */
+bool fair_is_same_chip(struct mcs52 *chip, const struct mcs52 *fair_chip, const long excused[2]);
 
 #endif
