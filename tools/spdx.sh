@@ -11,24 +11,28 @@ read -r name _ <LICENSE
 line="SPDX-License-Identifier: $name"
 missing=0
 
-comment_for() { # FILE: the line in that file's comment style; nothing for other files
+# Sets comment to the line in that file's comment style; to nothing for other files. $head are its first lines.
+comment_for() { # FILE
+    comment=
     case $1 in
     tests/bad/* | tests/good/* | tests/fuzz/corpus/*) ;;
     tests/golden/*.fis) ;;
-    *.c | *.h | *.css) echo "/* $line */" ;;
-    *.js) echo "// $line" ;;
+    *.c | *.h | *.css) comment="/* $line */" ;;
+    *.js) comment="// $line" ;;
     .github/*) ;;
-    *.html | *.md) echo "<!-- $line -->" ;;
-    *.fis | *.m) echo "% $line" ;;
-    *.scn) echo "; $line" ;;
-    *.sh | *.mk | *Makefile | *.awk | *.jq | *.gp | *.conf | *.tab | *.dict | .clang-format | .editorconfig | .gitignore | .shellcheckrc) echo "# $line" ;;
-    *) ! head -n 1 "$1" | grep -aq '^#!' || echo "# $line" ;;
+    *.html | *.md) comment="<!-- $line -->" ;;
+    *.fis | *.m) comment="% $line" ;;
+    *.scn) comment="; $line" ;;
+    *.sh | *.mk | *Makefile | *.awk | *.jq | *.gp | *.conf | *.tab | *.dict | .clang-format | .editorconfig | .gitignore | .shellcheckrc) comment="# $line" ;;
+    *) [[ ${head[0]:-} != '#!'* ]] || comment="# $line" ;;
     esac
 }
 
 while read -r file; do
-    comment=$([ ! -f "$file" ] || comment_for "$file")
-    if [ -z "$comment" ] || head -n 3 "$file" | grep -qF "$line"; then
+    [ -f "$file" ] || continue
+    mapfile -n 3 head <"$file"
+    comment_for "$file"
+    if [ -z "$comment" ] || [[ "${head[*]}" == *"$line"* ]]; then
         continue
     fi
     if [ "${1:-}" = --check ]; then
@@ -37,7 +41,7 @@ while read -r file; do
         continue
     fi
     # Below "#!" and "<!doctype", which must be first.
-    if head -n 1 "$file" | grep -aqiE '^(#!|<!doctype)'; then
+    if [[ ${head[0]:-} == '#!'* || ${head[0]:-} == '<!'[Dd][Oo][Cc]* ]]; then
         sed -i "1a\\$comment" "$file"
     else
         sed -i "1i\\$comment" "$file"
