@@ -69,7 +69,7 @@ firmware: $(ALL_IMAGES:%=$(OUT)/%.hex)
 # makes a part of an image removes the image first: a build that fails leaves none behind.
 define compile_rules
 $(OUT)/$(1)/%.rel: $(2)%.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp tools/compile.sh tools/no_atomics.sh
-	$$(Q)$$(if $$(filter $(OUT)/$(1)/%,$$(filter $$@,$$($(1)_MODULES:%=$(OUT)/$(1)/%.rel))),rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; )tools/compile.sh $$< $$@ $(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1)
+	$$(Q)$$(if $$(and $$(filter $$@,$$($(1)_MODULES:%=$(OUT)/$(1)/%.rel)),$$(wildcard $(OUT)/$(1).ihx $(OUT)/$(1).hex)),rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; )tools/compile.sh $$< $$@ $(SDCC) $(SDCC_FLAGS) $$(IDENTITY_FLAGS) $($(1)_FLAGS) $(includes_of) -I$(OUT)/$(1)
 endef
 # The stamp changes when a setting does, so that objects of other settings are never linked.
 define image_rules

@@ -32,7 +32,6 @@ run_one() { # BOARD IMAGE LIST SCENARIO
             for (key in listed) if (listed[key] != 2) print place ":0:" board " " name ":FAIL: it has no " key "; take it off the list otherwise.txt"
         }' "$3" - <<<"$said"
 }
-export -f run_one
 
 scenarios=()
 for place; do
@@ -41,4 +40,4 @@ done
 grep -v '^#' "$list" | awk 'NF { print $1 }' | while read -r name; do
     [ -e "tests/loop/$name.scn" ] || echo "$list:0:$name:FAIL: there is no such drive; take it off the list"
 done
-parallel -j "${JOBS:-2}" --will-cite --keep-order run_one "$board" "$image" "$list" ::: "${scenarios[@]}"
+for scenario in "${scenarios[@]}"; do run_one "$board" "$image" "$list" "$scenario"; done

@@ -19,15 +19,22 @@ trap 'exit 1' HUP INT TERM
 # With its comments: the listing carries them, and tools/bound reads them there. Not every version of SDCC can be
 # told the name of the file with the headers, so that is the name of the text.
 "$@" -MMD -Wp,-C -E "$source" -o "$text.rel"
-sed "1s|^[^ ]*:|$object:|" "$text.d" >"$depends"
+# As a loop of the shell: this is done a thousand times, and another process costs more.
+{
+    read -r line
+    printf '%s\n' "$object:${line#*:}"
+    while read -r line; do printf ' %s\n' "$line"; done
+} <"$text.d" >"$depends"
 flags=${SDCC_VERSION:-}
 for flag; do
     # Defines and folders of headers have done their work.
     case $flag in -D* | -U* | -I*) ;; *) flags="$flags $flag" ;; esac
 done
 echo "$flags" >>"$text.rel"
-key=$(cat tools/no_atomics.sh "$text.rel" | sha256sum)
-kept=build/objects/${key%% *}
+# shellcheck disable=SC2046  # the sums of both, each before the name of its file
+set -- $(sha256sum "$text.rel" tools/no_atomics.sh) "$@"
+kept=build/objects/$1-$3
+shift 4
 if [ ! -d "$kept" ]; then
     new=$(mktemp -d -p build kept.XXXXXX)
     mkdir "$new/kept"

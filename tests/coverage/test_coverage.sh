@@ -9,29 +9,35 @@
 coverage=build/coverage
 
 find "$coverage" -name '*.gcda' -delete
-parallel --will-cite "{} >$out/{/}.log 2>&1" ::: "$@"
-say each_test_passes $? "see $out/*.log"
+failed=0
+for test; do "$test" >"$out/${test##*/}.log" 2>&1 || failed=1; done
+say each_test_passes $failed "see $out/*.log"
 find "$coverage" -name '*.gcda' -exec gcov --branch-probabilities --json-format --stdout {} + >"$out/gcov.json" 2>"$out/gcov.log"
 jq -s -f tests/coverage/holes.jq "$out/gcov.json" >"$coverage/host.json"
 
+jq -r '.files[].file' "$coverage/host.json" >"$out/files"
+jq -r '.files[] | .file as $file | .holes[]
+    | "\($file)\t\(.line)\t\(if .reached then "a branch of this line" else "this line" end) is reached by no test"' \
+    "$coverage/host.json" >"$out/holes"
+
 # whole FILE: its holes are all explained.
 whole() {
-    local line what where fault=''
-    while IFS=$'\t' read -r line what; do
+    local file line what where fault=''
+    while IFS=$'\t' read -r file line what; do
+        [ "$file" = "$1" ] || continue
         # Beside it, or at most two lines above: the condition of a block explains the block.
         where=$(sed -n "$((line > 2 ? line - 2 : 1)),${line}p" "$1")
         [[ $where == *"unreached: "* ]] || fault+="$1:$line: $what; "
-    done < <(jq -r --arg file "$1" '.files[] | select(.file == $file) | .holes[]
-        | "\(.line)\t\(if .reached then "a branch of this line" else "this line" end) is reached by no test"' "$coverage/host.json")
+    done <"$out/holes"
     faultless "$1" "$fault"
 }
 
 while read -r file; do
     whole "$file"
-done < <(jq -r '.files[].file' "$coverage/host.json")
+done <"$out/files"
 # A file of which no line was compiled is none that is whole.
 for file in $(git ls-files 'firmware/*.c' ':!firmware/mcu' ':!firmware/examples' ':!firmware/*/main.c' ':!firmware/frames/frames.c'); do
-    jq -e --arg file "$file" 'any(.files[]; .file == $file)' "$coverage/host.json" >/dev/null
+    grep -qxF "$file" "$out/files"
     say "${file}_is_tested" $? "no unit test has a line of it"
 done
 finish

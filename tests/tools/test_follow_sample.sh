@@ -17,13 +17,11 @@ run_one() { # APP GAP_MM OWN_MMPS LEAD_MMPS
         --set "lead.speed_mps=$(($4 / 1000)).$(printf %03d $(($4 % 1000)))" \
         --json "$folder/$1,$2,$3,$4.json" >/dev/null 2>"$folder/$1,$2,$3,$4.log"
 }
-export -f run_one
-export board folder
 
 for app in follow follow_paper; do
     "build/grid/$app/run" --duration-s="$seconds" --every="$every" | awk -F, -v app="$app" 'NR > 1 { print app, $0 }'
 done | tr ', ' '  ' >"$folder/host.txt"
-parallel -j "${JOBS:-2}" --will-cite --colsep ' ' run_one '{1}' '{2}' '{3}' '{4}' <"$folder/host.txt"
+while read -r app gap own lead _; do run_one "$app" "$gap" "$own" "$lead" </dev/null; done <"$folder/host.txt"
 
 while read -r app gap own lead collided at least last _; do
     json="$folder/$app,$gap,$own,$lead.json"

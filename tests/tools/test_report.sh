@@ -60,9 +60,10 @@ calls() {
 }
 # What pages say of their tests of themselves, each in a frame as wide as WIDTH pixels: a window has at least
 # 500. One start of Chromium is for all: $out/said gets lines "FRAME: what the page says". Chromium's own log,
-# $out/browser, shows what the pages said on the console.
+# $out/browser, shows what the pages said on the console. On a busy machine the browser's time may be over before a
+# page has its chip: then it gets more.
 self_tests() { # WIDTH PAGE...
-    local profile
+    local profile budget_ms
     profile=$(mktemp -d)
     {
         echo '<html><body>'
@@ -74,10 +75,13 @@ onmessage = (message) => { document.body.append(`said ${frames.indexOf(message.s
 </script>
 END
     } >"$out/frame.html"
-    timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking \
-        --disable-component-update --disable-sync --user-data-dir="$profile" --enable-logging=stderr \
-        --window-size=1400,1000 --virtual-time-budget=30000 --dump-dom "file://$PWD/$out/frame.html" \
-        2>"$out/browser" | grep -o 'said [0-9]*: [^<]*' | sed 's/^said //' >"$out/said"
+    for budget_ms in 30000 120000 480000; do
+        timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking \
+            --disable-component-update --disable-sync --user-data-dir="$profile" --enable-logging=stderr \
+            --window-size=1400,1000 --virtual-time-budget=$budget_ms --dump-dom "file://$PWD/$out/frame.html" \
+            2>"$out/browser" | grep -o 'said [0-9]*: [^<]*' | sed 's/^said //' >"$out/said"
+        [ "$(cut -d : -f 1 "$out/said" | sort -u | wc -l)" -lt $(($# / 2)) ] || break
+    done
     rm -rf "$profile"
 }
 page_fault() { # FRAME WIDTH [CHIP]: CHIP is what the page says first of its own drive

@@ -17,7 +17,7 @@ $(LAB_OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
 	$$(Q)build/fistab table $$< --name=lut $$(filter --grid=%,$$($(1)_FISTAB)) -o $$@
 $(LAB_OUT)/$(1).so: tools/lab/lut.c $(patsubst %,firmware/%.c,lib/fixed $(filter-out brake/main,$(filter brake/%,$($(1)_MODULES)))) \
         $(wildcard firmware/brake/*.h firmware/lib/*.h) $(LAB_OUT)/$(1)/lut_table.h
-	$$(Q)$$(CC) -O2 -g -std=c11 -fPIC -shared -DCLK_HZ=12000000UL -DFAULT_PCT=60 $($(1)_FLAGS) -Ifirmware/brake -Ifirmware/lib \
+	$$(Q)$$(CC) -O2 -std=c11 -fPIC -shared -DCLK_HZ=12000000UL -DFAULT_PCT=60 $($(1)_FLAGS) -Ifirmware/brake -Ifirmware/lib \
 	    -I$(LAB_OUT)/$(1) $$(filter %.c,$$^) -o $$@
 endef
 

@@ -503,8 +503,8 @@ static char process_state(pid_t pid, double *used_s)
     return state;
 }
 
-/* Nothing came for a while. It hangs if it has run for 3 s without a word or waits for nothing; if
- * the machine gave it no time to run, it gets a minute. */
+/* Nothing came for a while. It hangs if it has used a second of processor time without a word, or
+ * waits for nothing; if the machine gave it no time to run, it gets a minute. */
 static enum sim_status judge_silence(struct s51 *sim)
 {
     double used_s;
@@ -517,7 +517,7 @@ static enum sim_status judge_silence(struct s51 *sim)
     if (state == 'S') {
         sim->waits++;
     }
-    if (used_s - sim->silent_from_s < 2.5 && sim->waits < 6 && sim->silences < 120) {
+    if (used_s - sim->silent_from_s < 1 && sim->waits < 6 && sim->silences < 120) {
         return SIM_RAN;
     }
     return failed(sim,
