@@ -25,7 +25,7 @@ seldom() {
 
 telling() { # CONTROLLER
     case $1 in
-    brake) echo fault_garbage fault_high brake/pin_pwm_low brake/stuck_register_bank brake/flip_register_bank ;;
+    brake) echo fault_garbage fault_high brake/pin_pwm_low brake/stuck_register_bank brake/flip_register_bank brake/stuck_interrupts_off ;;
     gap) echo all_troubles_at_once case3_lead_brakes ;;
     park) echo dead_zone_out_of_range head_noise edge_noise ;;
     radar) echo case_70 frame_free_road ;;
@@ -213,8 +213,8 @@ run_ways_of_boards() { # FROM TO
 }
 run_ways_of_boards 1 1
 run_ways_of_boards 2 12
-run_ways_of_boards 13 23
-run_ways_of_boards 24 '$'
+run_ways_of_boards 13 24
+run_ways_of_boards 25 '$'
 
 cut -f 3 "$out/instructions" | sort -u >"$out/names"
 sed 's/:.*//' "$out/names" | sort -u >"$out/files"

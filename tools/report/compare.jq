@@ -15,8 +15,6 @@ def furthest($pairs; $key): [$pairs[] | select(.[0][$key] != null and .[1][$key]
 | [$both[] | select(.s51.judged != .fast.judged) | "\(.name): s51 \(.s51.judged | tojson), fast \(.fast.judged | tojson)"] as $differ
 | [$both[] | [.s51.sizes, .fast.sizes]] as $pairs
 | {differ: $differ,
-   said: (if $drives == [] then ""
-          else "Of these, \($both | length) drawn at random were driven in s51, too: "
-            + (if $differ == [] then "all agree" else "\($differ | length) disagree" end)
-            + " in the outcomes that hold, impact and states reported; smallest gaps differ by at most \(furthest($pairs; "min_gap_m") * 1000 | round) mm, impact speeds by \(furthest($pairs; "impact_mps") * 100 | round / 100) m/s."
-          end)}
+   said: ("Of these, \($both | length) drawn at random were driven in s51, too: "
+          + (if $differ == [] then "all agree" else "\($differ | length) disagree" end)
+          + " in the outcomes that hold, impact and states reported; smallest gaps differ by at most \(furthest($pairs; "min_gap_m") * 1000 | round) mm, impact speeds by \(furthest($pairs; "impact_mps") * 100 | round / 100) m/s.")}

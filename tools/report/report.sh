@@ -45,7 +45,11 @@ tab_id() { # TAB
     basename "$1" .tab | sed 's/^[0-9]*-//'
 }
 tab_values() { # TAB KEY: one a line
-    sed -n "s/^$2 *= *//p" "$1" | sed "s|build/report/|$REPORT_OUT/|g"
+    local line
+    while IFS= read -r line; do
+        [[ $line =~ ^$2\ *=\ *(.*)$ ]] || continue
+        echo "${BASH_REMATCH[1]//build\/report\//$REPORT_OUT/}"
+    done <"$1"
 }
 tab_images() { # TAB
     tab_values "$1" image | sed 's/ *|.*//'
@@ -349,6 +353,8 @@ coverage() {
 
 # Whether the drives of the sample come out alike in both engines. What does not agree is trouble.
 compare_engines() {
+    : >"$work/agreement.json"
+    [ -s "$work/sample" ] || return 0
     sed "s|^|$runs/|" <(cut -f4 "$work/sample") >"$work/keys"
     while read -r folder; do existing "$folder/result.json" "${folder%-s51}-fast/result.json"; done <"$work/keys" >"$work/compared"
     xargs jq -nc -f $here/compare.jq --rawfile sample "$work/sample" --arg runs "$runs" <"$work/compared" >"$work/agreement.json"
@@ -368,7 +374,7 @@ write_page() {
     for id in $ids; do echo "$work/$id.json"; done | xargs cat |
         jq -sc --arg made "Board $board, $count drives by the engine $ENGINE, $lost failed." --slurpfile costs "$work/costs.json" --slurpfile coverage "$work/coverage.json" \
             --slurpfile agreement "$work/agreement.json" \
-            '{made: ([$made, $agreement[0].said] | map(select(. != "")) | join(" ")), disagree: $agreement[0].differ, tabs: .} + $costs[0] + $coverage[0]' | sed 's/</\\u003c/g' >"$work/data.json"
+            '{made: ([$made, $agreement[].said] | join(" ")), disagree: [$agreement[].differ[]], tabs: .} + $costs[0] + $coverage[0]' | sed 's/</\\u003c/g' >"$work/data.json"
     cat $here/selftest.js $here/figures.js $here/scenes.js $here/player.js $here/yourself.js $here/page.js >"$work/script.js"
     base64 -w 0 "$WASM" >"$work/chip.txt" 2>/dev/null || echo "no $WASM, so the page has no chip; run make report" >>"$work/trouble"
     echo >>"$work/chip.txt"
