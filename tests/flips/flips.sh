@@ -10,7 +10,7 @@
 # INSTANTS, CODE, PCS in the environment: how many instants a drive (1 to 4), random flips of the code and of
 # the program counter a drive. WINDOW: in place of all that, each bit at each cycle of so many milliseconds in
 # each drive; then the table counts bits and cycles, and lies in build/flips/BOARD.space.txt. That takes hours: it goes
-# from 10 ms to 10 ms in all drives, and begins again where it was interrupted, as long as the image is the same.
+# from 10 ms to 10 ms in all drives, and goes on where it was interrupted, as long as the image is the same.
 set -u
 shopt -s nullglob # a kind of fault that was not asked for has no files
 cd "$(dirname "$0")/../.." || exit 2
@@ -31,7 +31,7 @@ fly() { # BOARD DRIVE LEAST WHAT FILE AT...
     stack=$(($(stack_at "$out" "$board") + $(awk '/^stack: at most/ { print $4 }' "$out/$board"/brake.bound)))
     local options=(--ram=00-FF --seed="$(cksum <<<"$drive" | cut -d " " -f 1)")
     [[ $what != bits && $what != space ]] || options+=("--sfr=$registers")
-    [ "$what" != space ] || options+=("--window=$slice" --sample=200)
+    [ "$what" != space ] || options+=("--window=$slice" --sample=200 --jobs=1)
     [ "$what" != code ] || options+=(--count=$(((code + $# - 1) / $#)))
     [ "$what" != pc ] || options+=(--count=$(((pcs + $# - 1) / $#)))
     build/flip --board="$board" --hex="$out/$board/brake.ihx" --scenario="tests/flips/$drive.scn" --what="$what" --at="$(tr ' ' , <<<"$*")" \
@@ -90,25 +90,47 @@ map() { # BOARD
         END { for (place = 0; place < 512; place++) if (place in worst) print int(place / 16) "," place % 16 "," worst[place] }' "$out/$1".*.bits.csv >"$out/map.csv"
 }
 
-# Each bit at each cycle.
+# Each bit at each cycle. As many drives at a time as there are cores, each as one process: two for one drive would
+# both look for the flips that come to the same.
 every_cycle() { # BOARD
-    local board=$1 name least at from file
-    cmp -s "$out/$board/brake.ihx" "$out/$board.space.ihx" || rm -f "$out/$board".*.space.*.csv
+    local board=$1 name least at from file flying=0
+    cmp -s "$out/$board/brake.ihx" "$out/$board.space.ihx" || rm -f "$out/$board".*.space.*.csv*
     cp "$out/$board/brake.ihx" "$out/$board.space.ihx"
+    trap 'kill $(jobs -p) 2>/dev/null' EXIT
     for ((from = 0; from < window; from += slice)); do
         for drive in "${drives[@]}"; do
             read -r name least at _ <<<"$drive"
             file=$out/$board.$name.space.$from.csv
+            [ ! -f "$file" ] || continue
             at=$(awk -v at="$at" -v from="$from" 'BEGIN { printf "%.3f", at + from / 1000 }')
-            [ -f "$file" ] || fly "$board" "$name" "$least" space "$file" "$at" || exit 1
+            [ $flying -lt "$(nproc)" ] || one_ends "$board"
+            fly "$board" "$name" "$least" space "$file" "$at" 2>"$file.log" &
+            flying=$((flying + 1))
         done
-        {
-            echo "$board: what became of each bit, flipped at each cycle of $((from + slice)) ms"
-            summary "$out/$board".*.space.*.csv
-            worst "$board" space
-        } >"$out/$board.space.txt"
     done
+    while [ $flying -gt 0 ]; do one_ends "$board"; done
+    trap - EXIT
+    tell_space "$board"
     cat "$out/$board.space.txt"
+}
+one_ends() { # BOARD
+    wait -n || {
+        cat "$out/$1".*.space.*.csv.log >&2
+        exit 1
+    }
+    flying=$((flying - 1))
+    tell_space "$1"
+    echo "flips: $1: $(printf '%s\n' "$out/$1".*.space.*.csv | wc -l) of $((${#drives[@]} * ((window + slice - 1) / slice))) parts done; see $out/$1.space.txt" >&2
+}
+tell_space() { # BOARD
+    local files=("$out/$1".*.space.*.csv)
+    {
+        echo "$1: what became of each bit, flipped at each cycle of $window ms, of which ${#files[@]} parts are done"
+        summary "${files[@]}"
+        awk '{ chosen += $5; agree += $(NF - 1) } END { print chosen + 0 " of these flips, drawn by chance, were run by themselves: " agree + 0 " agree" }' \
+            "$out/$1".*.space.*.csv.log
+        worst "$1" space
+    } >"$out/$1.space.txt"
 }
 
 # Each bit at some instants; the code and the program counter by chance.
