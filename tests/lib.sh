@@ -44,14 +44,13 @@ expect() {
     shift 4
     got_stdout=$("$@" 2>"$out/expect.stderr")
     got_status=$?
-    got_stderr=$(head -c 1000 "$out/expect.stderr")
-    rm -f "$out/expect.stderr"
-    [ "$got_status" -eq "$status" ] || fault="exit status $got_status, not $status: $got_stderr"
+    got_stderr=$(<"$out/expect.stderr")
+    [ "$got_status" -eq "$status" ] || fault="exit status $got_status, not $status: ${got_stderr:0:1000}"
     [ "$stdout" = '*' ] || [ "$got_stdout" = "$stdout" ] || fault="printed '$got_stdout', not '$stdout'"
     if [ -z "$stderr" ]; then
-        [ -z "$got_stderr" ] || fault="its stderr is not empty: $got_stderr"
+        [ -z "$got_stderr" ] || fault="its stderr is not empty: ${got_stderr:0:1000}"
     else
-        [[ $got_stderr == *"$stderr"* ]] || fault="did not say '$stderr', but: $got_stderr"
+        [[ $got_stderr == *"$stderr"* ]] || fault="did not say '$stderr', but: ${got_stderr:0:1000}"
     fi
     faultless "$name" "$fault"
 }

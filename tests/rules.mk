@@ -32,8 +32,8 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
 # Slow tests: in s51 what the fast engine runs in `test`, drives with their outcomes compared, the long ones
 # on one board; every drive of the brake with the other estimator; all drives of `make attack`; the long run of
 # chip against host.
-ENGINE_TESTS := $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
-LONG_SUITES  := $(LONG_TESTS) 'ATTACK_RUNS=$(ATTACK_RUNS) tests/tools/test_trouble.sh' \
+ENGINE_TESTS  = $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
+LONG_SUITES   = $(LONG_TESTS) 'ATTACK_RUNS=$(ATTACK_RUNS) tests/tools/test_trouble.sh' \
     $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop/long') \
     $(ENGINE_TESTS:%='ENGINE=s51 %') $(CHIP_TESTS:%='ENGINE=s51 tests/run_chip.sh %') \
     $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
