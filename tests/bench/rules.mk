@@ -22,7 +22,7 @@ BENCH_LINES := $(patsubst tests/bench/%.c,build/bench/line_%,$(wildcard $(CONTRO
 BENCH_LINES := $(filter-out build/bench/line_brake,$(BENCH_LINES))
 $(BENCH_LINES): build/bench/line_%: tests/bench/line.c tests/bench/%.c tests/bench/step.h $(addprefix build/host/tools/drive/plant/,head.o random.o) | all
 	@mkdir -p $(@D)
-	$(Q)$(CC) -O0 -std=c11 -D_GNU_SOURCE -Itools/common $(DRIVE_ROOMS) -Ibuild $(patsubst %,-Ifirmware/%,lib frames mcu $*) \
+	$(Q)$(CC) $(CFLAGS) -O0 -std=c11 -D_GNU_SOURCE -Itools/common $(DRIVE_ROOMS) -Ibuild $(patsubst %,-Ifirmware/%,lib frames mcu $*) \
 	    $(filter %.c %.o,$^) -lm -o $@
 
 .PHONY: run-bench

@@ -30,7 +30,7 @@ $(STEPS_OUT)/$(1)/%.o: %.c $(OUT)/$(1)/lut_table.h $(OUT)/$(1)/image.stamp
 	$$(Q)$(CC) -O0 $(HOST_FLAGS) -Wno-sign-conversion $(SDCC_HOST_FLAGS) $($(1)_FLAGS) $(includes_of) $(DRIVE_ROOMS) -Ibuild -I$(OUT)/$(1) -c $$< -o $$@
 $(STEPS_OUT)/$(1)/steps: $(patsubst %,$(STEPS_OUT)/$(1)/tests/compiler/%.o,host words lib $(controller_of)) \
         $(patsubst %,$(STEPS_OUT)/$(1)/firmware/%.o,$(steps_modules)) $(STEPS_SIM)
-	$$(Q)$(CC) $$^ -lm -o $$@
+	$$(Q)$(CC) $(CFLAGS) $$^ -lm -o $$@
 endef
 # SDCC's flags, but for those of the compiler itself.
 SDCC_HOST_FLAGS = $(filter -D%,$(SDCC_FLAGS))
