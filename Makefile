@@ -25,7 +25,7 @@ NO_INSTALL   ?=#                  NO_INSTALL=1: install nothing, name what is mi
 UNITY_DIR    ?=#                  a checkout of Unity, instead of Debian's copy
 MUTANTS      ?=#                  what `mutants` looks at, a list's name, or text of a file's name, a function or a line; empty: all
 FUZZ_SECONDS ?= 600#              how long `fuzz` runs
-CFLAGS       ?= -O2 -fno-pie -no-pie# of the host's programs; position-independent code makes the fast simulator an eighth slower
+CFLAGS       ?= -O2#              of the host's programs
 V            ?=#                  V=1 prints each command
 PREFIX       ?= /usr/local#       where `install` puts the tools
 DESTDIR      ?=#                  a folder in front of PREFIX, for packages

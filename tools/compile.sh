@@ -23,7 +23,7 @@ trap 'exit 1' HUP INT TERM
 {
     read -r line
     printf '%s\n' "$object:${line#*:}"
-    while read -r line; do printf ' %s\n' "$line"; done
+    while read -r line || [ -n "$line" ]; do printf ' %s\n' "$line"; done
 } <"$text.d" >"$depends"
 flags=${SDCC_VERSION:-}
 for flag; do
@@ -31,8 +31,9 @@ for flag; do
     case $flag in -D* | -U* | -I*) ;; *) flags="$flags $flag" ;; esac
 done
 echo "$flags" >>"$text.rel"
-# shellcheck disable=SC2046  # the sums of both, each before the name of its file
-set -- $(sha256sum "$text.rel" tools/no_atomics.sh) "$@"
+sums=$(sha256sum "$text.rel" tools/no_atomics.sh)
+# shellcheck disable=SC2086  # two words for each file: its sum and its name
+set -- $sums "$@"
 kept=build/objects/$1-$3
 shift 4
 if [ ! -d "$kept" ]; then

@@ -7,6 +7,9 @@ HOST_FLAGS := -std=c11 -D_GNU_SOURCE -Wall -Wextra -Wconversion -Wshadow -Wstric
     -Itools/common -Ibuild -DFUZZY51_VERSION='"$(VERSION)"'
 SANITIZE   := -fsanitize=address,undefined -fno-sanitize-recover=all
 
+# At fixed addresses, which makes the fast simulator an eighth faster; also with a user's own CFLAGS.
+override CFLAGS += -fno-pie -no-pie
+
 TOOLS      := $(patsubst tools/%/main.c,%,$(wildcard tools/*/main.c))
 COMMON_SRC := $(wildcard tools/common/*.c)
 $(foreach tool,$(TOOLS),$(eval $(tool)_SRC := $(wildcard tools/$(tool)/*.c tools/$(tool)/*/*.c) $(COMMON_SRC)))

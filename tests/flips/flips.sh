@@ -96,7 +96,8 @@ every_cycle() { # BOARD
     local board=$1 name least at from file flying=0
     cmp -s "$out/$board/brake.ihx" "$out/$board.space.ihx" || rm -f "$out/$board".*.space.*.csv*
     cp "$out/$board/brake.ihx" "$out/$board.space.ihx"
-    trap 'kill $(jobs -p) 2>/dev/null' EXIT
+    trap end_all EXIT
+    trap 'exit 130' INT TERM HUP
     for ((from = 0; from < window; from += slice)); do
         for drive in "${drives[@]}"; do
             read -r name least at _ <<<"$drive"
@@ -109,9 +110,17 @@ every_cycle() { # BOARD
         done
     done
     while [ $flying -gt 0 ]; do one_ends "$board"; done
-    trap - EXIT
+    trap - EXIT INT TERM HUP
     tell_space "$board"
     cat "$out/$board.space.txt"
+    awk '/drawn by chance/ { exit $1 != $(NF - 1) }' "$out/$board.space.txt" || {
+        echo "flips: error: flips that were run by themselves came to something else; see $out/$board.*.space.*.csv.log" >&2
+        exit 1
+    }
+}
+end_all() { # each job is a shell that waits for flip
+    local job
+    for job in $(jobs -p); do pkill -TERM -P "$job"; done
 }
 one_ends() { # BOARD
     wait -n || {
@@ -127,8 +136,8 @@ tell_space() { # BOARD
     {
         echo "$1: what became of each bit, flipped at each cycle of $window ms, of which ${#files[@]} parts are done"
         summary "${files[@]}"
-        awk '{ chosen += $5; agree += $(NF - 1) } END { print chosen + 0 " of these flips, drawn by chance, were run by themselves: " agree + 0 " agree" }' \
-            "$out/$1".*.space.*.csv.log
+        cat /dev/null "$out/$1".*.space.*.csv.log |
+            awk '/ agree$/ { chosen += $5; agree += $(NF - 1) } END { print chosen + 0 " of these flips, drawn by chance, were run by themselves: " agree + 0 " agree" }'
         worst "$1" space
     } >"$out/$1.space.txt"
 }

@@ -3,11 +3,11 @@
 
 #include "fast.h"
 #include "rig.h"
+#include "shared.h"
 #include "sim.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 
 struct judge_row fair_row_of(const struct world_class *class, const struct world *world,
                              double *speed_mps)
@@ -62,12 +62,8 @@ static void note_input(void *user, int64_t t_ns, enum board_pin pin, bool level)
 /* In memory that all processes share: to fork is cheap then. */
 static struct mcs52 *copy_of(const struct mcs52 *chip)
 {
-    struct mcs52 *copy =
-        mmap(NULL, mcs52_size(), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    struct mcs52 *copy = shared_get(mcs52_size());
 
-    if (copy == MAP_FAILED) {
-        abort();
-    }
     mcs52_copy(copy, chip);
     return copy;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "meet.h"
 
+#include "shared.h"
+
 #include <stdatomic.h>
-#include <stdlib.h>
-#include <sys/mman.h>
 
 enum { SIZE = 1 << 24, FULL = SIZE / 4 * 3 };
 
@@ -18,13 +18,7 @@ struct meet {
 
 struct meet *meet_create(void)
 {
-    struct meet *meet = mmap(NULL, sizeof *meet, PROT_READ | PROT_WRITE,
-                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-
-    if (meet == MAP_FAILED) {
-        abort();
-    }
-    return meet;
+    return shared_get(sizeof(struct meet));
 }
 
 size_t meet_at(struct meet *meet, uint64_t key, size_t index)

@@ -2,9 +2,9 @@
 #include "plan.h"
 
 #include "random.h"
+#include "shared.h"
 
 #include <stdlib.h>
-#include <sys/mman.h>
 
 enum { CLOCKS_PER_CYCLE = 12, PERIOD_MS = 60 };
 
@@ -19,11 +19,7 @@ void plan_init(struct plan *plan, size_t capacity)
 {
     plan->count = 0;
     plan->capacity = capacity;
-    plan->cases = mmap(NULL, capacity * sizeof *plan->cases, PROT_READ | PROT_WRITE,
-                       MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (plan->cases == MAP_FAILED) {
-        abort();
-    }
+    plan->cases = shared_get(capacity * sizeof *plan->cases);
 }
 
 size_t plan_add(struct plan *plan, const struct fault_case *one)

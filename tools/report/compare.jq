@@ -4,12 +4,12 @@
 # SAMPLE has a line a drive: tab, image, scenario, key, ...; the key ends in -s51, the same drive's in the
 # other engine in -fast. The results are drive's: FOLDER/KEY/result.json.
 # Alike means: the same outcomes hold, an impact or none, and the same states reported. A line with a state takes the
-# serial port some 40 ms. An impact ends the drive, so the last line may be whole in one engine and cut off in the
-# other, by a millisecond: there one may report more than the other.
+# serial port up to 40 ms. An impact ends the drive, so the last line may be whole in one engine and lack a character
+# in the other: there one may report one state more than the other.
 def judged: {holds: [.expect[] | select(.holds) | .expected], impact: .outcome.impact, reached: .outcome.reached};
 def states: .reached | split(" ");
 def alike($a; $b): ($a | del(.reached)) == ($b | del(.reached))
-    and ($a.reached == $b.reached or ($a.impact != "none" and (($a | states) - ($b | states) == [] or ($b | states) - ($a | states) == [])));
+    and ($a.reached == $b.reached or ($a.impact != "none" and (($a | states) - ($b | states) + (($b | states) - ($a | states)) | length) == 1));
 def sizes: .outcome | {impact_mps, min_gap_m} | map_values(if type == "number" then . else null end);
 def furthest($pairs; $key): [$pairs[] | select(.[0][$key] != null and .[1][$key] != null) | .[0][$key] - .[1][$key] | fabs] | max // 0;
 
