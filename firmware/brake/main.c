@@ -23,12 +23,15 @@ static uint8_t tick;             /* seen, as hal_ticks counts */
 static __idata uint16_t seconds; /* since the start */
 static __idata uint8_t centiseconds;
 
-/* One bit that turns over does not start the self-test again, in which the brake does not act. */
-enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0x5A };
+/* Neither one bit that turns over nor a byte that is left inverted (hal_ram_test) starts the
+ * self-test again, in which the brake does not act. */
+enum phase { PHASE_RUN = 0xA5, PHASE_TEST = 0xC3 };
 static uint8_t phase;     /* enum phase; any other value is PHASE_RUN */
 static uint8_t code_test; /* enum hal_code */
 
-static uint8_t triggered; /* tick of the last trigger, or of the last reading without one */
+/* Tick of the last trigger, or of the last reading without one; and its complement, so that a bit
+ * that turns over shows while the decision is at work, too. */
+static uint8_t triggered, triggered_twin;
 static __bit is_measuring;
 
 /* Each job of a round leaves its mark, in this order. A mark that is missing, out of order or left
@@ -139,19 +142,20 @@ static void control_step(uint8_t echo)
             hal_stop_set(true); /* before estimator and table, whatever they say */
         }
     } else {
-        dist_mm = 0;
-        kind = echo == HAL_RANGE_NOT_FALLEN ? RANGE_NOT_FALLEN : RANGE_NOT_RISEN;
+        dist_mm = 0xFFFF; /* so that no bit of the kind makes an echo within reach of it */
+        kind = (uint8_t)(echo - HAL_RANGE_NOT_RISEN + RANGE_NOT_RISEN);
     }
     brake_step(kind, dist_mm);
     apply();
     seq++; /* counted as soon as the duty is set: where benches look */
 }
 
-/* `tick` is not in it: one that is behind catches up, and one that is ahead is TICKS_LATE. */
+/* `tick` is not in it: one that is behind catches up, and one that is ahead is TICKS_LATE. Nor is
+ * `triggered`, which has a twin. */
 /*@ assigns \nothing; */
 static uint8_t sum_up(void)
 {
-    return brake_sum() ^ triggered ^ (uint8_t)is_measuring;
+    return brake_sum() ^ (uint8_t)is_measuring;
 }
 
 /*@ assigns sealed; */
@@ -169,6 +173,13 @@ static void fail(uint8_t fault)
     seal();
 }
 
+/*@ assigns triggered, triggered_twin; */
+static void trigger_now(void)
+{
+    triggered = tick;
+    triggered_twin = (uint8_t)~tick;
+}
+
 /* A bit has turned over: of what was sealed, of the clock, or, while they were being decided, of
  * the brake's force or of STOP. */
 /*@ requires phase != PHASE_TEST;
@@ -181,7 +192,7 @@ static void begin_anew(void)
     apply();
     is_measuring = false;
     tick = hal_ticks();
-    triggered = tick;
+    trigger_now();
     sent = 0;
     seal();
 }
@@ -191,7 +202,8 @@ static void begin_anew(void)
 static void check(void)
 {
     if (sum_up() != sealed || brake.brake_pct > 100 || (uint8_t)(hal_ticks() - tick) > TICKS_LATE ||
-        sent > SENT_MAX) {
+        (uint8_t)(tick - triggered) > WAIT_TICKS ||
+        (uint8_t)(triggered + triggered_twin) != 0xFFU || sent > SENT_MAX) {
         begin_anew();
     }
 }
@@ -206,7 +218,7 @@ static void conclude(uint8_t echo)
     apply();
     report();
 #if !RANGE_IS_TRIGGERED
-    triggered = tick; /* the next reading is under way */
+    trigger_now(); /* the next reading is under way */
     if (echo == HAL_RANGE_DONE) {
         brake_expect(RANGE_PERIOD_CS);
     }
@@ -228,23 +240,16 @@ static void poll(void)
     ensures main_is_valid && phase == \old(phase); */
 static void measure(void)
 {
-#if RANGE_IS_TRIGGERED
-    uint8_t elapsed_cs;
-#endif
-
     if (is_measuring) {
         conclude(hal_range());
     }
-#if RANGE_IS_TRIGGERED
-    elapsed_cs = (uint8_t)(tick - triggered);
-#endif
     stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
     check();
-    triggered = tick;
+    trigger_now();
     hal_trigger();
     is_measuring = true;
 #if RANGE_IS_TRIGGERED
-    brake_expect(elapsed_cs);
+    brake_expect(RANGE_WAIT_CS); /* since the last trigger */
 #endif
     seal();
 }
@@ -256,7 +261,7 @@ static void measure(void)
 static void finish_selftest(uint8_t fault)
 {
     brake_init(fault);
-    triggered = tick;          /* the first measurement comes a period after the brake's release */
+    trigger_now();             /* the first measurement comes a period after the brake's release */
     if (phase != PHASE_TEST) { /* a program that ran wild has come here */
         hal_restart();
     }
@@ -272,22 +277,27 @@ static void finish_selftest(uint8_t fault)
                 \old(code_test) == HAL_CODE_GOOD; */
 static void test(void)
 {
+    uint8_t fault;
+
     if (code_test == HAL_CODE_RUNNING) {
         code_test = hal_code_test();
         if (code_test == HAL_CODE_RUNNING) {
             code_test = hal_code_test();
         }
-    } else if (!hal_ram_is_good()) {
-        finish_selftest(BRAKE_FAULT_RAM);
-    } else if (code_test == HAL_CODE_BAD) {
-        finish_selftest(BRAKE_FAULT_TABLE);
-    } else if (hal_range_is_busy()) { /* and the last echo before a reset is over by now */
-        finish_selftest(BRAKE_FAULT_IDLE);
-    } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
-        finish_selftest(BRAKE_FAULT_WATCHDOG);
-    } else {
-        finish_selftest(BRAKE_FAULT_NONE);
+        return;
     }
+    if (!hal_ram_is_good()) {
+        fault = BRAKE_FAULT_RAM;
+    } else if (code_test == HAL_CODE_BAD) {
+        fault = BRAKE_FAULT_TABLE;
+    } else if (hal_range_is_busy()) { /* and the last echo before a reset is over by now */
+        fault = BRAKE_FAULT_IDLE;
+    } else if (hal_reset_cause() == HAL_RESET_WATCHDOG) {
+        fault = BRAKE_FAULT_WATCHDOG;
+    } else {
+        fault = BRAKE_FAULT_NONE;
+    }
+    finish_selftest(fault);
 }
 
 /*@ assigns flow; */
@@ -305,6 +315,17 @@ static void show(void)
     hal_lamp_set(lamp_tick(pattern));
     hal_buzzer_set(brake.warn);
     flow = MARKED(flow, MARK_SHOW);
+}
+
+/* A function of its own, so that a return address with a flipped bit does not lead from elsewhere
+ * into a FAULT that lasts, with STOP. */
+/*@ requires main_is_valid;
+    ensures main_is_valid && phase == \old(phase); */
+static void judge_outputs(uint8_t wrong_ticks)
+{
+    if (wrong_ticks == HAL_WRONG_TICKS) {
+        brake_fail(BRAKE_FAULT_OUTPUT);
+    }
 }
 
 /*@ assigns seconds, centiseconds; */
@@ -400,7 +421,6 @@ void main(void)
     is_talking = true;
     command = 'v';
     stack_unused = hal_stack_unused();
-    tick = hal_ticks();
 
     /* Must be last: a start clears RAM, so a program that ran wild has come here otherwise, at
      * whichever of the lines above. Added, so that not even this line alone begins the self-test.
@@ -429,10 +449,12 @@ void main(void)
             }
 #endif
             talk(); /* twice in a round, so that a line is out before the next reading */
+            poll();
             if (hal_code_test() == HAL_CODE_BAD) {
                 fail(BRAKE_FAULT_TABLE);
             }
             if (!hal_ram_test()) {
+                check(); /* what it left wrong would be sealed */
                 fail(BRAKE_FAULT_RAM);
             }
             flow = MARKED(flow, MARK_CODE);
@@ -457,9 +479,8 @@ void main(void)
             flow = FLOW_TICK;
         } else {
             check(); /* again, so that what is sealed below was whole before */
-            if (!hal_outputs_follow(brake.stop)) {
-                brake_fail(BRAKE_FAULT_OUTPUT);
-            }
+            poll();
+            judge_outputs(hal_outputs_wrong_ticks(brake.stop));
             if (!hal_stack_is_good()) {
                 brake_fail(BRAKE_FAULT_STACK);
             }
@@ -472,7 +493,7 @@ void main(void)
             poll();
 
             /* Every 60 ms, or once the sensor is silent. */
-            if ((uint8_t)(tick - triggered) >= WAIT_TICKS) {
+            if ((uint8_t)(tick - triggered) == WAIT_TICKS) {
                 measure();
             }
             poll();

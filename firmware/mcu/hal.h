@@ -39,10 +39,12 @@ bool hal_range_is_late(void);
  * period on that begins at least 0.3 ms after the call. */
 void hal_brake_set(uint8_t brake_pct); /* up to 80 mc */
 void hal_stop_set(bool on);            /* the STOP pin */
-/* Whether the PWM pin is as hal_brake_set wants it, and the STOP pin as `stop` says, which
- * hal_stop_set has set it to. Ask it every tick: false once either was wrong three times in a row,
- * the PWM pin at the end of what should be high in its period, or low. 20 mc. */
-bool hal_outputs_follow(bool stop);
+/* How many times in a row the PWM pin was not as hal_brake_set wants it, at the end of what should
+ * be high in its period, or low; or the STOP pin not as `stop` says, which hal_stop_set has set it
+ * to. Ask it every tick; it counts up to HAL_WRONG_TICKS. That is three because a bit that flips is
+ * right again sooner, and because no flip of one bit makes it of 0. 20 mc. */
+#define HAL_WRONG_TICKS 3U
+uint8_t hal_outputs_wrong_ticks(bool stop);
 void hal_lamp_set(bool on);
 void hal_buzzer_set(bool on);
 

@@ -2,15 +2,14 @@
 /* The pins of both brakes, read back. */
 #include "sfr.h"
 
-#define WRONG_TICKS 3U /* in a row: a bit that flips is right again sooner */
+static __idata uint8_t wrong_ticks;
 
-bool hal_outputs_follow(bool stop)
+uint8_t hal_outputs_wrong_ticks(bool stop)
 {
-    static __idata uint8_t wrong_ticks;
-
-    wrong_ticks++;
     if (!pwm_is_wrong && pin_stop == stop) {
         wrong_ticks = 0;
+    } else if (wrong_ticks != HAL_WRONG_TICKS) {
+        wrong_ticks++;
     }
-    return wrong_ticks < WRONG_TICKS;
+    return wrong_ticks;
 }

@@ -82,9 +82,9 @@ void hal_stop_set(bool on)
 {
     pin_stop = on;
 }
-bool hal_outputs_follow(bool stop)
+uint8_t hal_outputs_wrong_ticks(bool stop)
 {
-    return any_bool();
+    return any_byte();
 }
 void hal_lamp_set(bool on)
 {

@@ -33,7 +33,7 @@ void hal_brake_set(uint8_t brake_pct);
     ensures pin_stop == on; */
 void hal_stop_set(bool on);
 /*@ assigns \nothing; */
-bool hal_outputs_follow(bool stop);
+uint8_t hal_outputs_wrong_ticks(bool stop);
 /*@ assigns \nothing; */
 void hal_lamp_set(bool on);
 /*@ assigns \nothing; */
