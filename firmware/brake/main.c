@@ -174,14 +174,14 @@ static void fail(uint8_t fault)
 }
 
 /*@ assigns triggered, triggered_twin; */
-static void trigger_now(void)
+static void note_trigger(void)
 {
     triggered = tick;
     triggered_twin = (uint8_t)~tick;
 }
 
-/* A bit has turned over: of what was sealed, of the clock, or, while they were being decided, of
- * the brake's force or of STOP. */
+/* A bit has turned over: of what was sealed, of the clock, of the last trigger's tick, or, while
+ * they were being decided, of the brake's force or of STOP. */
 /*@ requires phase != PHASE_TEST;
     requires code_test <= HAL_CODE_BAD;
     ensures t10_anew: main_is_valid && phase == \old(phase) && code_test == \old(code_test) &&
@@ -192,7 +192,7 @@ static void begin_anew(void)
     apply();
     is_measuring = false;
     tick = hal_ticks();
-    trigger_now();
+    note_trigger();
     sent = 0;
     seal();
 }
@@ -218,7 +218,7 @@ static void conclude(uint8_t echo)
     apply();
     report();
 #if !RANGE_IS_TRIGGERED
-    trigger_now(); /* the next reading is under way */
+    note_trigger(); /* the next reading is under way */
     if (echo == HAL_RANGE_DONE) {
         brake_expect(RANGE_PERIOD_CS);
     }
@@ -245,7 +245,7 @@ static void measure(void)
     }
     stack_unused = hal_stack_unused(); /* long, so now: no echo waits for it */
     check();
-    trigger_now();
+    note_trigger();
     hal_trigger();
     is_measuring = true;
 #if RANGE_IS_TRIGGERED
@@ -261,7 +261,7 @@ static void measure(void)
 static void finish_selftest(uint8_t fault)
 {
     brake_init(fault);
-    trigger_now();             /* the first measurement comes a period after the brake's release */
+    note_trigger();            /* the first measurement comes a period after the brake's release */
     if (phase != PHASE_TEST) { /* a program that ran wild has come here */
         hal_restart();
     }
