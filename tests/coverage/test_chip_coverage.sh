@@ -33,18 +33,19 @@ telling() { # CONTROLLER
     esac
 }
 
-# The ways to drive an image, one a line: a function of those below and its arguments.
+# The ways to drive an image, one a line: a function of those below and its arguments. They come in up to four goes,
+# with a line -- between: the usual drive, what is special to a controller, the telling drives, all drives.
 ways() { # CONTROLLER
     local folder=tests/loop/$1 usual
     case $1 in
     bringup)
-        printf '%s\n' walk 'walk table' 'walk ram'
+        printf '%s\n' walk -- 'walk table' 'walk ram'
         return
         ;;
     brake)
         folder=tests/loop
         usual=$folder/standing_car_3mps.scn
-        printf '%s\n' "drive $usual" "type_keys _dropped" "type_keys _seconds" high_line \
+        printf '%s\n' "drive $usual" -- "type_keys _dropped" "type_keys _seconds" high_line \
             "jump $(label_at brake/main _main)" "jump $(label_at brake/main _finish_selftest)" "overwrite brake/main _flow" \
             'overwrite mcu/code _state 200000 8' 'overwrite mcu/code _state 200000 16' \
             "jump $(line_at brake/main 'flow != FLOW_TICK')" \
@@ -53,16 +54,18 @@ ways() { # CONTROLLER
         ;;
     *)
         usual=$folder/frame_corrupt.scn
-        printf '%s\n' "drive $usual" 'jump 0' 'jump 0xFFFE' "overwrite frames/frames _seconds"
+        printf '%s\n' "drive $usual" -- 'jump 0' 'jump 0xFFFE' "overwrite frames/frames _seconds"
         ;;
     esac
-    # Those that are the only ones to run an instruction come first: it saves time.
+    [ "$1" != brake ] || echo --
+    # Those that are the only ones to run an instruction: it saves time.
     # shellcheck disable=SC2046  # words
     printf "drive $folder/%s.scn\n" $(telling "$1")
     # From DEAD_ZONE to READY: no drive of tests/loop leaves the dead zone.
     [ "$1" != park ] || echo "flip_cell $folder/t6_dead_zone_6m.scn park/park _park 17 0 0.5"
     seldom | sed "s|^|drive $usual |"
     echo "flip_table $usual"
+    echo --
     printf 'drive %s\n' "$folder"/*.scn
     [ "$1" != brake ] || printf 'drive %s\n' tests/loop/brake/*.scn
 }
@@ -191,8 +194,8 @@ reach() {
     mv "$out/still_left" "$out/left"
 }
 
-# Runs these ways of each image of a board, until nothing of it is left.
-run_ways() { # FROM TO
+# Runs the ways of one go, of each image of a board, until nothing of it is left.
+run_ways() { # GO
     local words
     while read -r image; do
         hex=build/$image.ihx
@@ -203,18 +206,13 @@ run_ways() { # FROM TO
             $words </dev/null
             reach
             echo "$image: $words: $(wc -l <"$out/new") new" >>"$out/log"
-        done < <(ways "$(sed -n 's|.*/\([a-z]*\)/main\.rel$|\1|p' "build/$image.lk")" | sed -n "$1,$2p")
+        done < <(ways "$(sed -n 's|.*/\([a-z]*\)/main\.rel$|\1|p' "build/$image.lk")" | awk -v go="$1" '/^--$/ { before++; next } before + 1 == go')
     done < <(grep "^$board/" "$out/images")
 }
-# In several goes, each on all boards: what one image does not run, another one may. First the usual drive, then what
-# is above, then the drives of tests/loop.
-run_ways_of_boards() { # FROM TO
-    for board in $boards; do run_ways "$@"; done
-}
-run_ways_of_boards 1 1
-run_ways_of_boards 2 12
-run_ways_of_boards 13 24
-run_ways_of_boards 25 '$'
+# Each go on all boards: what one image does not run, another one may.
+for go in 1 2 3 4; do
+    for board in $boards; do run_ways $go; done
+done
 
 cut -f 3 "$out/instructions" | sort -u >"$out/names"
 sed 's/:.*//' "$out/names" | sort -u >"$out/files"
