@@ -45,7 +45,7 @@ ways() { # CONTROLLER
     brake)
         folder=tests/loop
         usual=$folder/standing_car_3mps.scn
-        printf '%s\n' "drive $usual" -- "type_keys _dropped" "type_keys _seconds" high_line \
+        printf '%s\n' "drive $usual" -- "type_keys _dropped" "type_keys _seconds" "type_keys _seq" high_line \
             "jump $(label_at brake/main _main)" "jump $(label_at brake/main _finish_selftest)" "overwrite brake/main _flow" \
             'overwrite mcu/code _state 200000 8' 'overwrite mcu/code _state 200000 16' \
             "jump $(line_at brake/main 'flow != FLOW_TICK')" \
