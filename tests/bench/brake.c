@@ -74,6 +74,18 @@ void bench_stop_set(bool on)
     hal_stop_set(on);
 }
 
+/* A function of its own, so that it takes no byte of RAM: there is none left. */
+static void change_step(uint8_t what)
+{
+    if (what < 4) {
+        step_mm = (int16_t)(step_mm << 3);
+    } else if (what < 8) {
+        step_mm = (int16_t)-step_mm;
+    } else if (what >= 12) {
+        step_mm = 0;
+    }
+}
+
 /* Where the target is now, and how it goes on. */
 static void drive(void)
 {
@@ -82,10 +94,7 @@ static void drive(void)
     if (what < 16) { /* another one, or the same one somewhere else */
         place_mm = (uint16_t)((uint16_t)(chance() << 8 | chance()) % (PLACE_MAX_MM - 100U));
         step_mm = (int16_t)chance();
-        step_mm = what < 4    ? (int16_t)(step_mm << 3)
-                  : what < 8  ? (int16_t)-step_mm
-                  : what < 12 ? step_mm
-                              : 0;
+        change_step(what);
         step_mm >>= STEP_SHIFT;
     } else if (what < 24) {
         step_mm = (int16_t)(step_mm >> 2);
@@ -272,12 +281,11 @@ uint16_t bench_step(uint16_t step)
     return step_mc;
 }
 
-/* How many of these bits are not set. */
-static uint8_t zeros(uint8_t due, uint8_t seen)
+static uint8_t count_ones(uint8_t bits)
 {
     uint8_t count = 0;
 
-    for (due &= (uint8_t)~seen; due != 0; due &= (uint8_t)(due - 1U)) {
+    for (; bits != 0; bits &= (uint8_t)(bits - 1U)) {
         count++;
     }
     return count;
@@ -285,8 +293,8 @@ static uint8_t zeros(uint8_t due, uint8_t seen)
 
 uint16_t bench_misses(void)
 {
-    return zeros((uint8_t)((2U << BRAKE_FAULT_LOST) - 1U), faults_seen) +
-           zeros(STATES_DUE, states_seen) + slow_stops +
+    return count_ones((uint8_t)((2U << BRAKE_FAULT_LOST) - 1U) & (uint8_t)~faults_seen) +
+           count_ones(STATES_DUE & (uint8_t)~states_seen) + slow_stops +
            (STATES_DUE >> BRAKE_STOP & 1U & (stops == 0));
 }
 
