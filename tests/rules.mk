@@ -61,7 +61,7 @@ run-unit-chip: $(WANTED_CHIPS) $(FAST_CHIPS)
 .PHONY: test-build run-test run-test-long
 test-build: all grid surfaces $(TOOL_TESTS) $(UNIT_TESTS) $(CHIP_TESTS) $(LUT_IMAGES) $(FAST_CHIPS) $(BENCH_LINES) compiler-build build/wasm/page.wasm $(COVERAGE_TESTS)
 run-test:
-	@$(MAKE) -j$$(($$(nproc) + 1)) test-build
+	@$(MAKE) -j$$(nproc) test-build
 	@ENGINE=$(or $(ENGINE),fast) tests/run.sh $(TEST_SUITES)
 run-test-long:
 	@$(MAKE) -j$$(nproc) test-build compiler-build-all

@@ -42,7 +42,7 @@ void hal_stop_set(bool on);            /* the STOP pin */
 /* How many times in a row the PWM pin was not as hal_brake_set wants it, at the end of what should
  * be high in its period, or low; or the STOP pin not as `stop` says, which hal_stop_set has set it
  * to. Ask it every tick; it counts up to HAL_WRONG_TICKS. That is three because a bit that flips is
- * right again sooner, and because no flip of one bit makes it of 0. 20 mc. */
+ * right again sooner, and because no flip of one bit makes it of 0. 22 mc. */
 #define HAL_WRONG_TICKS 3U
 uint8_t hal_outputs_wrong_ticks(bool stop);
 void hal_lamp_set(bool on);

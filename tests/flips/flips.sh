@@ -80,6 +80,27 @@ worst() { # BOARD WHAT
         sort -k1,1nr -k2 | head -n 10 | sed 's/^/  /'
 }
 
+# The ten functions whose code is unsafe most often, and how often the flips come to what.
+worst_functions() { # BOARD
+    local files=("$out/$1".*.code.csv)
+    [ ${#files[@]} -gt 0 ] || return
+    echo
+    echo "the worst functions: unsafe flips of their code, why"
+    {
+        sed -nE 's/^ +00([0-9A-F]{4}) +[0-9]+ _(\w+):+$/\1 \2/p' "$out/$1"/brake/*/*.rst
+        awk -F , '$6 == "unsafe" || $6 == "lost" { print substr("000" substr($3, 3), length($3) - 2), "flip", $7 }' "${files[@]}"
+    } | sort -s -k 1,1 | awk '
+        NF == 2 { name = $2 }
+        NF == 3 { n[name]++; why[name, $3]++; reasons[$3] }
+        END {
+            for (name in n) {
+                printf "%d %s", n[name], name
+                for (reason in reasons) if ((name, reason) in why) printf " %s %d", reason, why[name, reason]
+                print ""
+            }
+        }' | sort -k1,1nr -k2 | head -n 10 | sed 's/^/  /'
+}
+
 # For the report, of the first board: of each byte the worst that any bit of it came to; a register's line is
 # 16 more than in its address.
 map() { # BOARD
@@ -139,6 +160,10 @@ tell_space() { # BOARD
         cat /dev/null "$out/$1".*.space.*.csv.log |
             awk '/ agree$/ { chosen += $5; agree += $(NF - 1) } END { print chosen + 0 " of these flips, drawn by chance, were run by themselves: " agree + 0 " agree" }'
         worst "$1" space
+        echo
+        echo "unsafe ones of PCON, which stops the clock, and others:"
+        awk -F , 'FNR > 1 { split(FILENAME, part, "."); drives[part[2]]; if ($2 == "0x87") clock[part[2]] += $9; else others[part[2]] += $9 }
+            END { for (drive in drives) printf "  %-10s %10d %10d\n", drive, clock[drive], others[drive] }' "${files[@]}" | sort
     } >"$out/$1.space.txt"
 }
 
@@ -159,6 +184,7 @@ some_instants() { # BOARD
         echo "$board: what became of flipped bits"
         summary "$out/$board".*.{bits,pc,code,stuck}.csv
         for what in bits code pc; do worst "$board" "$what"; done
+        worst_functions "$board"
     } | tee "$out/$board.txt"
     [ "$board" != "$first" ] || map "$board"
 }

@@ -80,7 +80,8 @@ whenever() { # NAME SCENARIO ADDRESS BYTES MS OPTION...
 whenever "no flip of the demand in FAULT is unsafe" fault $((0x$(address demand_pct))) 1 10 --at=0.7 --least=60
 whenever "no flip of STOP's state in FAULT is unsafe" fault $((0x$(address latch_state))) 1 10 --at=0.7 --least=60
 # The loop's tick and the last trigger's: an approach that loses a reading there ends in an impact.
-whenever "no flip of the ticks between two triggers is unsafe" approach $((0x$(address tick))) 5 10 --at=0.24
+whenever "no flip of the ticks between two triggers is unsafe" approach $((0x$(address tick))) \
+    $((0x$(address triggered_twin) - 0x$(address tick) + 1)) 10 --at=0.24
 # The PWM pin is found wrong, which is STOP and FAULT for good, in the third tick: no flip comes to that.
 whenever "no flip of the count of wrong pins is unsafe" fault $((0x$(address wrong_ticks))) 1 10 --at=0.7 --least=60
 whenever "no flip of a return address in the self-test is unsafe" start "$(stack_at "$out" "$board")" 4 2 --at=-0.06
