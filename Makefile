@@ -45,6 +45,8 @@ SHELL     := /bin/sh
 .SECONDARY:
 .DEFAULT_GOAL := all
 Q := $(if $(V),,@)
+# A recipe's first line, where the target's folder may be missing; a thousand times it is there.
+folder = $(if $(wildcard $(@D)/.),,@mkdir -p $(@D))
 VERSION := $(shell sed -n 's/^\#\# \([0-9][0-9.]*\).*/\1/p;T;q' CHANGELOG.md)
 export ENGINE NO_INSTALL UNITY_DIR MAP ONLY JOBS SSHLOGIN
 

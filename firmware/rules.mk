@@ -74,9 +74,11 @@ endef
 # The stamp changes when a setting does, so that objects of other settings are never linked.
 define image_rules
 $(OUT)/$(1)/image.stamp: FORCE
-	@mkdir -p $$(@D); echo '$(settings_of)' | cmp -s - $$@ || { rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; echo '$(settings_of)' >$$@; }
+	$$(folder)
+	@echo '$(settings_of)' | cmp -s - $$@ || { rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; echo '$(settings_of)' >$$@; }
 $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/$(1)/image.stamp
-	@mkdir -p $$(@D); rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex
+	$$(folder)
+	@rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex
 	$$(Q)build/fistab table $$< --name=lut $($(1)_FISTAB) -o $$@
 $(call compile_rules,$(1),firmware/)
 $(OUT)/$(1)/mcu/identity.rel: IDENTITY_FLAGS = -DIDENTITY='"$(identity_of)"'

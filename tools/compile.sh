@@ -6,43 +6,36 @@
 # makes of it. So each such text is compiled once and kept in build/objects, from where the others copy it.
 # A folder of build/objects appears as a whole, with what was compiled in a folder of its own: two makes at
 # once, or one that is interrupted, leave nothing wrong there.
+# This is done a thousand times in a build, so it starts as few processes as it can.
 set -eu
 source=$1 object=$2
 shift 2
 folder=${object%/*} name=${object##*/}
 depends=${object%.rel}.d
 [ -d "$folder" ] || mkdir -p "$folder"
-text=$folder/text.$$
-new=
-trap 'rm -rf "$text".* ${new:+"$new"}' EXIT
-trap 'exit 1' HUP INT TERM
-# With its comments: the listing carries them, and tools/bound reads them there. Not every version of SDCC can be
-# told the name of the file with the headers, so that is the name of the text.
-"$@" -MMD -Wp,-C -E "$source" -o "$text.rel"
-# As a loop of the shell: this is done a thousand times, and another process costs more.
-{
-    read -r line
-    printf '%s\n' "$object:${line#*:}"
-    while read -r line || [ -n "$line" ]; do printf ' %s\n' "$line"; done
-} <"$text.d" >"$depends"
+# With its comments: the listing carries them, and tools/bound reads them there.
+text=$("$@" "-Wp,-C,-MMD,$depends,-MT,$object" -E "$source")
+# An image's table is the only header in a folder of the image's; where that is decides nothing.
+case $text in *'/lut_table.h"'*) text=$(echo "$text" | sed 's|"[^"]*/lut_table\.h"|"lut_table.h"|') ;; esac
 flags=${SDCC_VERSION:-}
 for flag; do
     # Defines and folders of headers have done their work.
     case $flag in -D* | -U* | -I*) ;; *) flags="$flags $flag" ;; esac
 done
-echo "$flags" >>"$text.rel"
-sums=$(sha256sum "$text.rel" tools/no_atomics.sh)
+sums=$(printf '%s\n%s\n' "$flags" "$text" | sha256sum - tools/no_atomics.sh)
 # shellcheck disable=SC2086  # two words for each file: its sum and its name
 set -- $sums "$@"
 kept=build/objects/$1-$3
 shift 4
 if [ ! -d "$kept" ]; then
     new=$(mktemp -d -p build kept.XXXXXX)
+    trap 'rm -rf "$new"' EXIT
+    trap 'exit 1' HUP INT TERM
     mkdir "$new/kept"
     "$@" -c "$source" -o "$new/kept/$name"
     tools/no_atomics.sh "$new/kept/$name"
     # shellcheck disable=SC2046  # one word each
-    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$text.d")
+    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$depends")
     if [ -n "$changed" ]; then
         echo "$changed: error: changed while $source was compiled; run make again" >&2
         exit 1

@@ -27,10 +27,10 @@ endef
 $(foreach tool,$(TOOLS),$(eval $(call tool_rules,$(tool))))
 
 build/host/%.o: %.c | build/boards.h build/worlds.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) $(CFLAGS) $(HOST_FLAGS) -c $< -o $@
 build/sanitized/%.o: %.c | build/boards.h build/worlds.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -g1 -Og $(SANITIZE) $(HOST_FLAGS) -c $< -o $@
 
 .PHONY: run-demo

@@ -13,7 +13,7 @@ radar_mom_FISTAB  := $(radar_FISTAB)
 radar_mom_CYCLES  := $(FRAME_CYCLES)
 radar_mom_MODULES := $(radar_MODULES)
 build/radar_mom.fis: tables/radar.fis
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)sed "0,/^Name=/s/^Name=.*/Name='radar_mom'/; s/'centroid'/'mom'/" $< >$@
 
 # The same with the printed formula of the sets, exp(-0.25 (x - a)^2), in place of the printed table of
@@ -23,7 +23,7 @@ radar_gauss_FISTAB  := $(radar_FISTAB)
 radar_gauss_CYCLES  := $(FRAME_CYCLES)
 radar_gauss_MODULES := $(radar_MODULES)
 build/radar_gauss.fis: tables/radar.fis
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)sed "0,/^Name=/s/^Name=.*/Name='radar_gauss'/; s/'pwlmf',.*/'gaussmf',[1.4142136 CENTRE]/; \
 	    /gaussmf/{/'NB'/s/CENTRE/-6/; /'NM'/s/CENTRE/-4/; /'NS'/s/CENTRE/-2/; /'ZE'/s/CENTRE/0/; \
 	    /'PS'/s/CENTRE/2/; /'PM'/s/CENTRE/4/; /'PB'/s/CENTRE/6/}" $< >$@

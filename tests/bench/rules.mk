@@ -10,7 +10,7 @@ $(OUT)/bench/$(1).ihx: $(patsubst %,$(OUT)/$(1)/%.rel, \
             $(patsubst frames/frames,tests/bench/frames tests/bench/$(call controller_of,$(1)),$($(1)_MODULES)), \
             $(patsubst brake/main,tests/bench/brake,$($(1)_MODULES))) \
         tests/bench/step)
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)$(SDCC) $(SDCC_LINK) --code-size 65536 $$^ -o $$@
 	$$(Q)tools/identify.sh $$@ $(IDENTITY_AT)
 endef
@@ -21,7 +21,7 @@ endif
 BENCH_LINES := $(patsubst tests/bench/%.c,build/bench/line_%,$(wildcard $(CONTROLLERS:%=tests/bench/%.c)))
 BENCH_LINES := $(filter-out build/bench/line_brake,$(BENCH_LINES))
 $(BENCH_LINES): build/bench/line_%: tests/bench/line.c tests/bench/%.c tests/bench/step.h $(addprefix build/host/tools/drive/plant/,head.o random.o) | all
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) $(CFLAGS) -O0 -std=c11 -D_GNU_SOURCE -Itools/common $(DRIVE_ROOMS) -Ibuild $(patsubst %,-Ifirmware/%,lib frames mcu $*) \
 	    $(filter %.c %.o,$^) -lm -o $@
 

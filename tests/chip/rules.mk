@@ -3,7 +3,7 @@
 ifneq ($(BOARD),)
 $(eval $(call compile_rules,brake,))
 $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(filter-out brake/main,$(brake_MODULES)))
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)tools/check_asm.sh $(^:.rel=.asm)
 	$(Q)$(SDCC) $(SDCC_LINK) --code-size 65536 $^ -o $@
 	$(Q)tools/identify.sh $@ $(IDENTITY_AT)
@@ -13,7 +13,7 @@ endif
 # tests itself.
 FAST_CHIPS := build/tests/fast_image build/tests/fast_pins
 $(FAST_CHIPS): build/tests/fast_%: build/host/tests/chip/fast_%.o $(patsubst %.c,build/host/%.o,$(wildcard tools/drive/sim/mcs52*.c) $(COMMON_SRC))
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) $(CFLAGS) $^ -lm -o $@
 build/host/tests/%.o: HOST_FLAGS += $(DRIVE_ROOMS)
 -include $(wildcard build/host/tests/chip/*.d)

@@ -4,17 +4,17 @@ COVERAGE       := build/coverage
 COVERAGE_TESTS := $(UNIT_TESTS:build/%=$(COVERAGE)/%)
 
 $(COVERAGE)/%.o: %.c build/unit/lut_table.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -O0 --coverage -std=c11 -w -MMD -MP -DSWEEP=7 $(UNIT_FLAGS) -c $< -o $@
 $(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: UNIT_FLAGS := -Ibuild/unit/$(image) $(UNIT_FLAGS)))
 $(foreach image,$(UNIT_TABLES),$(eval $(COVERAGE)/tests/unit/test_$(image).o: build/unit/$(image)/lut_table.h))
 $(COVERAGE)/unity.o: $(UNITY)/unity.c
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -O1 -w -c $< -o $@
 $(COVERAGE)/liblogic.a: $(LOGIC_SRC:%.c=$(COVERAGE)/%.o)
 	$(Q)rm -f $@; ar rcs $@ $^
 $(COVERAGE_TESTS): $(COVERAGE)/unit/%: $(COVERAGE)/tests/unit/%.o $(COVERAGE)/unity.o $(COVERAGE)/liblogic.a
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) --coverage $^ -lm -o $@
 
 # And the instructions that only the chip has: of each controller on each board, the default board first.

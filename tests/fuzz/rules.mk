@@ -8,14 +8,14 @@ FUZZ_RUN := -timeout=120 -close_fd_mask=2 -print_final_stats=1 -artifact_prefix=
 FUZZ_FIS_SRC     := tests/fuzz/fuzz_fis.c $(filter-out %/main.c,$(fistab_SRC))
 FUZZ_READERS_SRC := tests/fuzz/fuzz_readers.c $(filter-out %/main.c,$(sort $(drive_SRC) $(bound_SRC)))
 build/fuzz/fuzz_fis: $(FUZZ_FIS_SRC) $(wildcard tools/*/*.h)
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(FUZZ_CC) $(FUZZ_FIS_SRC) -lm -o $@
 build/fuzz/fuzz_readers: $(FUZZ_READERS_SRC) $(wildcard tools/*/*.h tools/*/*/*.h) | build/boards.h build/worlds.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(FUZZ_CC) $(DRIVE_ROOMS) -DIDENTITY_AT=$(IDENTITY_AT) $(FUZZ_READERS_SRC) $(drive_LIBS) -o $@
 FUZZ_MCS52_SRC := tests/fuzz/fuzz_mcs52.c $(wildcard tools/drive/sim/mcs52*.c)
 build/fuzz/fuzz_mcs52: $(FUZZ_MCS52_SRC) $(wildcard tools/drive/sim/mcs52*.h)
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(FUZZ_CC) -Itools/drive/sim $(FUZZ_MCS52_SRC) -lm -o $@
 .PHONY: run-fuzz
 run-fuzz: tools build/fuzz/fuzz_fis build/fuzz/fuzz_readers build/fuzz/fuzz_mcs52

@@ -16,11 +16,11 @@ LUT_IMAGES := $(LUT_CASES:%=build/lut/%/all_cells.ihx) $(LUT_CASES:%=build/lut/%
 
 define lut_rules
 build/lut/$(1)/lut_table.h: $(firstword $(LUT_$(1))) build/fistab
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)build/fistab table $(LUT_$(1)) --name=lut --csv=$$(@D)/cells.csv -o $$@ 2>$$(@D)/fistab.log || \
 	    { cat $$(@D)/fistab.log >&2; false; }
 build/lut/$(1)/%.rel: %.c build/lut/$(1)/lut_table.h
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)$(SDCC) -Ifirmware/lib -Ibuild/lut/$(1) -MMD -c $$< -o $$@
 build/lut/$(1)/all_cells.ihx: build/lut/$(1)/tests/lut/all_cells.rel build/lut/$(1)/firmware/lib/lut.rel
 	$$(Q)$(SDCC) $$^ -o $$@

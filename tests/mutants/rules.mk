@@ -5,16 +5,16 @@ LLVM       := $(patsubst %/include/clang-c/Index.h,%,$(lastword $(wildcard /usr/
 MUTANT_DIR := build/mutants
 
 $(MUTANT_DIR)/mutate: tests/mutants/mutate.c
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -O2 $(HOST_FLAGS) -isystem $(LLVM)/include $< -L$(LLVM)/lib -Wl,-rpath,$(LLVM)/lib -lclang -o $@
 $(MUTANT_DIR)/run: tests/mutants/run.c
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -O2 $(HOST_FLAGS) $< -o $@
 $(MUTANT_DIR)/mutant.o: tests/mutants/mutant.c
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -O2 $(HOST_FLAGS) $(UNITY_FLAGS) -c $< -o $@
 $(MUTANT_DIR)/unity.o: $(UNITY)/unity.c
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -O2 -w -c $< -o $@
 
 # Undefined behaviour ends a program, so that it finds a mutant; what has no value gets an odd one. Sweeps
@@ -56,7 +56,7 @@ endef
 TOOL_MUTANT_FLAGS = $(filter -I% -D%,$(HOST_FLAGS)) -I$(UNITY) -Itools $(DRIVE_ROOMS) -Ifirmware/lib -Ifirmware/frames -DIDENTITY_AT=$(IDENTITY_AT)
 $(foreach room,$(TOOL_ROOMS),$(eval $(call tool_room,$(room))))
 $(MUTANT_DIR)/plain/%.o: %.c | build/boards.h build/worlds.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(MUTANT_C) -O1 -MMD -MP $(TOOL_MUTANT_FLAGS) $(MUTANT_TRAPS) -c $< -o $@
 MUTANT_PLAIN := $(filter-out %/main.c,$(COMMON_SRC) $(foreach tool,drive bound,$(filter tools/$(tool)/%,$($(tool)_SRC))))
 $(MUTANT_DIR)/plain/tools.a: $(MUTANT_PLAIN:%.c=$(MUTANT_DIR)/plain/%.o)
@@ -64,7 +64,7 @@ $(MUTANT_DIR)/plain/tools.a: $(MUTANT_PLAIN:%.c=$(MUTANT_DIR)/plain/%.o)
 
 define mutant_room
 $(MUTANT_DIR)/$(1)/%.i: %.c build/unit/lut_table.h | build/boards.h build/worlds.h
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)$(MUTANT_C) -E -MMD -MP $$(MUTANT_FLAGS) $$< -o $$@
 $(MUTANT_DIR)/$(1)/list: $(MUTANT_DIR)/mutate $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.i)
 	$$(Q)$$< $$@ $$(subst $$() ,:,$$($(1)_PLACES)) $$(foreach file,$$(filter %.i,$$^),$$(file) $$(file:%.i=%.mutants.c))
@@ -72,7 +72,7 @@ $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.mutants.c): $(MUTANT_DIR)/$(1)/list ;
 $$($(1)_FILES:%.c=$(MUTANT_DIR)/$(1)/%.o): %.o: %.mutants.c tests/mutants/mutant.h
 	$$(Q)$(MUTANT_C) -O1 -I. $(MUTANT_TRAPS) -c $$< -o $$@
 $$($(1)_PROGRAMS): $(MUTANT_DIR)/unity.o $(MUTANT_DIR)/mutant.o
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)$(MUTANT_LINK) $$^ $(drive_LIBS) -o $$@
 .PHONY: run-mutants-$(1)
 run-mutants-$(1): $(MUTANT_DIR)/run $$($(1)_PROGRAMS) $$($(1)_NEEDS)

@@ -8,7 +8,7 @@ PACKED_IMAGES := brake tuned
 PROVE_TABLES  := $(foreach name,$(PROVED_IMAGES) $(PACKED_IMAGES:%=%_packed),build/prove/$(name)/lut_table.h)
 define prove_table
 build/prove/$(1)$(2)/lut_table.h: $$($(1)_TABLE) build/fistab
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)build/fistab table $$< --name=lut $(filter-out --encoding=%,$($(1)_FISTAB)) $(2:_%=--encoding=%) -o $$@
 endef
 $(foreach name,$(PROVED_IMAGES),$(eval $(call prove_table,$(name))))
@@ -16,7 +16,7 @@ $(foreach name,$(PACKED_IMAGES),$(eval $(call prove_table,$(name),_packed)))
 
 # The machine, as a module for Frama-C.
 build/prove/mcs51.cmxs: tests/prove/mcs51.ml
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)cp $< $(@D)
 	$(Q)ocamlfind ocamlopt -shared -w -a -package zarith -I "$$(frama-c -print-lib-path)" -o $@ $(@D)/mcs51.ml
 

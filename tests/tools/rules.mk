@@ -11,10 +11,10 @@ $(foreach tool,common fistab drive bound,$(eval $(call sanitized_library,$(tool)
 
 build/sanitized/tests/%.o: HOST_FLAGS += $(UNITY_FLAGS) -Ifirmware/lib -Ifirmware/frames
 build/sanitized/unity.o: $(UNITY)/unity.c
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -g1 -Og $(SANITIZE) -c $< -o $@
 $(TOOL_TESTS): build/%: build/sanitized/%.o build/sanitized/unity.o $(patsubst %,build/sanitized/lib%.a,fistab drive bound common)
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -g $(SANITIZE) $^ $(drive_LIBS) -o $@
 # It runs the program.
 build/tests/tools/test_tfluna_setup: | build/tfluna

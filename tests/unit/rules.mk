@@ -18,11 +18,11 @@ CHIP_FLAGS := -DUNITY_INT_WIDTH=16 -DUNITY_LONG_WIDTH=32 -DUNITY_POINTER_WIDTH=1
     '-DUNITY_OUTPUT_CHAR_HEADER_DECLARATION=chip_print(int), chip_end(void)'
 
 build/unit/lut_table.h: $(TABLE) build/fistab
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)build/fistab table $< --name=lut -o $@
 define unit_table
 build/unit/$(1)/lut_table.h: $($(1)_TABLE) build/fistab
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)build/fistab table $$< --name=lut $(filter-out --encoding=%,$($(1)_FISTAB)) -o $$@
 build/unit/tests/unit/test_$(1).o build/chip/tests/unit/test_$(1).rel: build/unit/$(1)/lut_table.h
 build/unit/tests/unit/test_$(1).o build/chip/tests/unit/test_$(1).rel: UNIT_FLAGS := -Ibuild/unit/$(1) $(UNIT_FLAGS)
@@ -30,7 +30,7 @@ endef
 $(foreach image,$(UNIT_TABLES),$(eval $(call unit_table,$(image))))
 
 build/unit/%.o: %.c build/unit/lut_table.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(CC) -g1 -Og $(SANITIZE) $(HOST_FLAGS) $(UNIT_FLAGS) -c $< -o $@
 build/unit/%.o: HOST_FLAGS += -Wno-sign-conversion
 build/unit/tests/%.o build/unit/$(UNITY)/%.o: HOST_FLAGS += -Wno-conversion
@@ -40,7 +40,7 @@ $(UNIT_TESTS): build/unit/%: build/unit/tests/unit/%.o build/unit/$(UNITY)/unity
 	$(Q)$(CC) -g $(SANITIZE) $^ -lm -o $@
 
 build/chip/%.rel: %.c build/unit/lut_table.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)$(SDCC_UNIT) $(UNIT_FLAGS) $(CHIP_FLAGS) -MMD -c $< -o $@
 build/chip/logic.lib: $(LOGIC_SRC:%.c=build/chip/%.rel)
 	$(Q)rm -f $@; sdar -rc $@ $^

@@ -8,14 +8,14 @@ build/host/tools/drive/%.o build/sanitized/tools/drive/%.o: HOST_FLAGS += $(DRIV
 # pins that all boards share, in the order of enum board_pin.
 PINS := PWM STOP TRIGGER LAMP BUZZER SERVO CUT LANE ECHO OVERRIDE
 build/boards.h: tools/drive/rules.mk tools/drive/boards.awk firmware/pins.mk firmware/boards $(wildcard firmware/boards/*.mk)
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)for board in $(filter firmware/boards/%.mk,$^); do \
 	    awk -v pins="$(PINS)" -f tools/drive/boards.awk firmware/pins.mk $$board; \
 	done >$@.part; mv $@.part $@
 
 # The list of worlds: each file world/NAME_world.c is one.
 build/worlds.h: tools/drive/rules.mk $(wildcard tools/drive/world/*_world.c) tools/drive/world
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)printf 'WORLD(%s)\n' $(sort $(patsubst tools/drive/world/%_world.c,%,$(wildcard tools/drive/world/*_world.c))) >$@.part
 	$(Q)mv $@.part $@
 

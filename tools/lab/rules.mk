@@ -13,7 +13,7 @@ tools: lab-images
 define lab_image
 lab-images: $(LAB_OUT)/$(1).so
 $(LAB_OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(Q)build/fistab table $$< --name=lut $$(filter --grid=%,$$($(1)_FISTAB)) -o $$@
 $(LAB_OUT)/$(1).so: tools/lab/lut.c $(patsubst %,firmware/%.c,lib/fixed $(filter-out brake/main,$(filter brake/%,$($(1)_MODULES)))) \
         $(wildcard firmware/brake/*.h firmware/lib/*.h) $(LAB_OUT)/$(1)/lut_table.h

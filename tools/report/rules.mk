@@ -17,7 +17,7 @@ WASM_SRC := tools/report/wasm/page.c tools/common/hexfile.c tools/drive/identity
     $(addprefix tools/drive/,scenario/board.c scenario/expect.c scenario/scenario.c scenario/sections.c show/picture.c show/telemetry.c)
 WASM_FLAGS := --target=wasm32-wasi -O2 -DIDENTITY_AT=$(IDENTITY_AT) $(filter-out -W%,$(HOST_FLAGS)) $(DRIVE_ROOMS) -idirafter /usr/include
 build/wasm/%.o: %.c | build/boards.h build/worlds.h
-	@mkdir -p $(@D)
+	$(folder)
 	$(Q)clang $(WASM_FLAGS) -c $< -o $@
 build/wasm/page.wasm: $(WASM_SRC:%.c=build/wasm/%.o)
 	$(Q)clang --target=wasm32-wasi -mexec-model=reactor -Wl,-z,stack-size=262144,--strip-debug $^ -o $@
