@@ -394,16 +394,23 @@ void car_init(struct car *car, const struct scenario *scenario, int64_t step_ns)
     }
 }
 
-/* MARK_S, if that is still to come and before END_NS; else END_NS. */
-static int64_t sooner(const struct car *car, double mark_s, int64_t end_ns)
+/* The first time after now at which a target comes or goes. */
+static int64_t next_change_ns(const struct car *car)
 {
-    int64_t mark_ns;
+    int64_t first = INT64_MAX;
 
-    if (mark_s < 0) {
-        return end_ns;
+    for (int i = 0; i < CAR_TARGETS; i++) {
+        const double marks_s[] = {car->targets[i].lead.appears_s, car->targets[i].lead.leaves_s};
+
+        for (int k = 0; k < 2; k++) {
+            int64_t mark_ns = marks_s[k] < 0 ? 0 : (int64_t)llround(marks_s[k] * 1e9);
+
+            if (mark_ns > car->now_ns && mark_ns < first) {
+                first = mark_ns;
+            }
+        }
     }
-    mark_ns = (int64_t)llround(mark_s * 1e9);
-    return mark_ns > car->now_ns && mark_ns < end_ns ? mark_ns : end_ns;
+    return first;
 }
 
 /* End of the step that begins now: the grid, a demand that begins to act, a target that comes or
@@ -419,9 +426,11 @@ static int64_t step_end_ns(struct car *car, int64_t t_ns)
     if (car->demand_count > 0 && car->demands[car->first_demand].at_ns < end) {
         end = car->demands[car->first_demand].at_ns;
     }
-    for (int i = 0; i < CAR_TARGETS; i++) {
-        end = sooner(car, car->targets[i].lead.appears_s, end);
-        end = sooner(car, car->targets[i].lead.leaves_s, end);
+    if (car->now_ns >= car->change_ns) {
+        car->change_ns = next_change_ns(car);
+    }
+    if (car->change_ns < end) {
+        end = car->change_ns;
     }
     return end;
 }

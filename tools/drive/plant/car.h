@@ -38,6 +38,7 @@ struct car {
     double event_s;
     int64_t now_ns, step_ns;
     int64_t grid_ns;   /* the next whole step after now */
+    int64_t change_ns; /* the next time that a target comes or goes; INT64_MAX: none does */
     double x_m, v_mps; /* the front of the ego car */
     double brake_mps2; /* deceleration of the brake now */
     double accel_mps2; /* of the car now */
