@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Runs test suites, half as many again at a time as there are cores, because some wait, and adds up what they
+# Runs test suites, twice as many at a time as there are cores, because some wait, and adds up what they
 # print.
 #     tests/run.sh COMMAND...         each COMMAND is one suite, a shell command line
 # A suite prints one line a case, PLACE:LINE:NAME:PASS or PLACE:LINE:NAME:FAIL: why, and exits
@@ -35,7 +35,7 @@ export -f run_suite
 
 all=$(mktemp)
 trap 'rm -f "$all"' EXIT
-parallel --will-cite --jobs 150% --keep-order --line-buffer run_suite ::: "$@" | tee "$all"
+parallel --will-cite --jobs 200% --keep-order --line-buffer run_suite ::: "$@" | tee "$all"
 [ "$(grep -cE '^ *[0-9]+ passed +[0-9]+ failed +[0-9.]+ s  ' "$all")" -eq $# ] || {
     echo "run.sh: error: not every suite reported" >&2
     exit 1

@@ -89,16 +89,15 @@ s51_pin() { # TIME_US echo|override LEVEL
     printf '#%d500\n%d%s\n' "$1" "$3" "$id" >&"$s51_pins"
 }
 
-s51_bits() { # COUNT NUMBER; leaves them in $bits
-    local k
-    bits=
-    for ((k = $1 - 1; k >= 0; k--)); do bits+=$(($2 >> k & 1)); done
+s51_nibbles=(0000 0001 0010 0011 0100 0101 0110 0111 1000 1001 1010 1011 1100 1101 1110 1111)
+s51_bits() { # NUMBER; leaves its 16 bits in $bits
+    bits=${s51_nibbles[$1 >> 12 & 15]}${s51_nibbles[$1 >> 8 & 15]}${s51_nibbles[$1 >> 4 & 15]}${s51_nibbles[$1 & 15]}
 }
 
 # s51 drops the top bit of a vector, so this one has 16.
 s51_set() { # TIME_US BYTE
     local bits
-    s51_bits 16 "$2"
+    s51_bits "$2"
     printf '#%d500\nb%s &\n' "$1" "$bits" >&"$s51_pins"
 }
 
@@ -116,7 +115,7 @@ s51_echoes() { # FIRST_US FROM TO DIST_MM|none
 
 s51_jump() { # TIME_US ADDRESS
     local bits
-    s51_bits 16 "$2"
+    s51_bits "$2"
     printf '#%d500\nb%s *\n' "$1" "$bits" >&"$s51_pins"
 }
 

@@ -16,7 +16,7 @@ real_path=$PATH
 cat >"$work/road.scn" <<'END'
 [scenario]
 title = An empty road
-duration_s = 1.5
+duration_s = 0.7
 [ego]
 speed_mps = 2
 [expect]
@@ -176,12 +176,12 @@ simulator_of() { # the pid of the s51 that the drive of pid $1 runs; the one tha
         sleep 0.1
     done
 }
-begin() { # starts a long run; leaves its pid in $pid, its simulator's in $simulator, half a second on
+begin() { # starts a long run; leaves its pid in $pid, its simulator's in $simulator, a moment on
     "$drive" run --hex "$work/images/PLAIN.ihx" --board at89s52 --scenario "$work/road.scn" --set scenario.duration_s=60 \
         --csv "$work/out/trace.csv" >"$work/stdout" 2>"$work/stderr" &
     pid=$!
     simulator=$(simulator_of $pid | tail -n 1)
-    sleep 0.7
+    sleep 0.3
 }
 begin
 kill -KILL "$simulator"

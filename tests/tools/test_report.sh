@@ -108,6 +108,12 @@ keep_page failed
 grep -q '"error":"exit status 2: drive ended with 0 but left no result"' "$out/report/failed.html"
 say the_page_names_failed_runs $? "no reason is given"
 
+# What make test has measured: nothing in the first report, two files in the next.
+early=$(jq -c '.coverage[] | select(.rows != [] or (.caption | test("make test measures it") | not)) | .title' "$out/report/parts/data.json")
+mkdir -p "$out/coverage"
+echo '{"files":[{"file":"a.c","lines":8,"lines_reached":6,"branches":2,"branches_reached":2},{"file":"b.c","lines":2,"lines_reached":2,"branches":0,"branches_reached":0}]}' >"$out/coverage/host.json"
+echo '{"boards":["one","two"],"files":[{"file":"c.c","instructions":30,"run":20,"explained":9}]}' >"$out/coverage/chip.json"
+
 rm -f "$out/die" "$out/empty" "$out/calls"
 run_report
 status=$?
@@ -115,26 +121,19 @@ wrong=
 [ $status = 0 ] || wrong="exit status $status: $(tail -n 2 "$out/log")"
 [ "$(sort "$out/calls" | tr '\n' ' ')" = "cutin_1.5 false_open " ] || wrong="$wrong ran $(tr '\n' ' ' <"$out/calls")"
 faultless only_failed_runs_are_run_again "$wrong"
-
-rm -f "$out/calls"
-run_report
-faultless nothing_is_run_twice "$([ "$(calls)" = 0 ] || echo "$(calls) runs")"
-
-# What make test has measured, if it has.
-wrong=$(jq -c '.coverage[] | select(.rows != [] or (.caption | test("make test measures it") | not)) | .title' "$out/report/parts/data.json")
-mkdir -p "$out/coverage"
-echo '{"files":[{"file":"a.c","lines":8,"lines_reached":6,"branches":2,"branches_reached":2},{"file":"b.c","lines":2,"lines_reached":2,"branches":0,"branches_reached":0}]}' >"$out/coverage/host.json"
-echo '{"boards":["one","two"],"files":[{"file":"c.c","instructions":30,"run":20,"explained":9}]}' >"$out/coverage/chip.json"
-run_report
+wrong=$early
 [ "$(jq -c '[.coverage[].rows[]]' "$out/report/parts/data.json")" = '[["a.c","6 of 8","2 of 2"],["b.c","2 of 2","–"],["all","8 of 10","2 of 2"],["","80 %","100 %"],["c.c","20 of 30",9],["all","20 of 30",9],["","66.6 %",""]]' ] ||
     wrong="$wrong $(jq -c '[.coverage[].rows[]]' "$out/report/parts/data.json")"
 grep -q 'on one, two, as make test found on 20' "$out/report/index.html" || wrong="$wrong the boards are not said"
 faultless the_page_shows_what_the_tests_reach "$wrong"
 
+rm -f "$out/calls"
+run_report
+faultless nothing_is_run_twice "$([ "$(calls)" = 0 ] || echo "$(calls) runs")"
+
 # Another drive, another image (here of another board): other results. The old ones stay good.
 rm -f "$out/calls"
 echo '# changed' >>"$out/drive"
-run_report
 run_report
 wrong=
 [ "$(calls)" = 3 ] || wrong="$(calls) runs with another drive"
