@@ -10,8 +10,7 @@ $(OUT)/bench/$(1).ihx: $(patsubst %,$(OUT)/$(1)/%.rel, \
             $(patsubst frames/frames,tests/bench/frames tests/bench/$(call controller_of,$(1)),$($(1)_MODULES)), \
             $(patsubst brake/main,tests/bench/brake,$($(1)_MODULES))) \
         tests/bench/step)
-	$$(folder)
-	$$(Q)$(SDCC) $(SDCC_LINK) --code-size 65536 $$^ -o $$@
+	$$(link_of_any_size)
 	$$(Q)tools/identify.sh $$@ $(IDENTITY_AT)
 endef
 $(foreach image,$(ALL_IMAGES),$(eval $(call bench_rules,$(image))))

@@ -5,7 +5,7 @@ $(eval $(call compile_rules,brake,))
 $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(filter-out brake/main,$(brake_MODULES)))
 	$(folder)
 	$(Q)tools/check_asm.sh $(^:.rel=.asm)
-	$(Q)$(SDCC) $(SDCC_LINK) --code-size 65536 $^ -o $@
+	$(link_of_any_size)
 	$(Q)tools/identify.sh $@ $(IDENTITY_AT)
 endif
 

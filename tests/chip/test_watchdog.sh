@@ -8,6 +8,8 @@
 board=at89s52
 image=build/$board/tests/chip/brake_hang.ihx
 make -s "BOARD=$board" "$image" || exit 2
+mapfile -t listings < <(sed -n 's/\.rel$/.rst/p' "build/$board/brake.lk")
+check "the brake's own listings keep its addresses" build/bound "build/$board/brake.ihx" "build/$board/brake.map" "${listings[@]}"
 
 # No echo: it brakes with 60 %, so the PWM's edges tell the time of the reset to 6 ms.
 s51_start "$board" "$image"
