@@ -59,7 +59,8 @@ identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(co
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
 # All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
 SDCC_VERSION := $(shell sdcc --version 2>/dev/null | head -n 1 | tr -cd '[:alnum:]. ')
-export SDCC_VERSION
+SDCPP := $(shell $(SDCC) -V -E firmware/lib/mul_u16.c 2>&1 | sed -n 's|^+ *\(.*sdcpp.*\) "*firmware/lib/mul_u16\.c"* *$$|\1|p')
+export SDCC_VERSION SDCPP
 settings_of  = $(subst ',,$(SDCC_VERSION) $(SDCC) $(SDCC_FLAGS) $(SDCC_LINK) $($(1)_FLAGS) $($(1)_TABLE) $($(1)_FISTAB) $($(1)_MODULES) \
     $($(1)_CYCLES) $(identity_of) $(IDENTITY_AT))
 
