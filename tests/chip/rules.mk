@@ -3,7 +3,6 @@
 ifneq ($(BOARD),)
 $(eval $(call compile_rules,brake,))
 $(OUT)/tests/%.ihx: $(OUT)/brake/tests/%.rel $(patsubst %,$(OUT)/brake/%.rel,$(filter-out brake/main,$(brake_MODULES)))
-	$(folder)
 	$(Q)tools/check_asm.sh $(^:.rel=.asm)
 	$(link_of_any_size)
 	$(Q)tools/identify.sh $@ $(IDENTITY_AT)
