@@ -202,7 +202,7 @@ struct mcs52 *mcs52_create(enum mcs52_part part, const struct mcs52_outside *out
         chip->outside = *outside;
     }
     chip->xdata_watch = MCS52_XDATA_BYTES;
-    chip->due[EVENT_PIN] = chip->due[EVENT_FAULT] = NEVER;
+    chip->due[EVENT_PIN] = chip->due[EVENT_FAULT] = chip->probe_from = NEVER;
     memset(chip->outside_pins, 0xFF, sizeof chip->outside_pins);
     memset(chip->pins, 0xFF, sizeof chip->pins);
     mcs52_restart(chip, MCS52_POWER);

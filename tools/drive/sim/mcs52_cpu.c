@@ -391,10 +391,13 @@ INLINE void execute(struct mcs52 *chip, bool probed, bool one)
             }
             take(&x, chip);
         }
-        if (probed) {
+        if (probed && x.now >= chip->probe_from) {
             give(&x);
-            mcs52_probe(chip);
+            mcs52_faults_strike(chip);
             take(&x, chip);
+        }
+        if (probed && chip->covered != NULL) {
+            chip->covered[x.pc >> 3] |= (uint8_t)(1u << (x.pc & 7));
         }
         instruction(&x);
     } while (!one);

@@ -62,31 +62,39 @@ static bool is_of_bit(const struct mcs52_fault *fault)
     return fault->kind <= MCS52_STUCK_HIGH;
 }
 
+static uint64_t sooner(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
 static void plan(struct mcs52 *chip)
 {
-    uint64_t first = NEVER;
+    uint64_t first = NEVER, probe_from = NEVER;
 
-    chip->probes_faults = false;
     for (int i = 0; i < chip->fault_count; i++) {
         const struct mcs52_fault *fault = &chip->faults[i];
+        bool is_done = chip->fault_done[i];
 
         if (!is_of_bit(fault)) {
-            first = chip->fault_next[i] < first ? chip->fault_next[i] : first;
+            first = sooner(first, chip->fault_next[i]);
             continue;
         }
-        if (fault->kind != MCS52_FLIP || (fault->counts_instructions && !chip->fault_done[i])) {
-            chip->probes_faults = true;
+        if (fault->kind != MCS52_FLIP || (fault->counts_instructions && !is_done)) {
+            probe_from = sooner(probe_from, fault->counts_instructions ? 0 : fault->when);
         }
-        if (!chip->fault_done[i] && !fault->counts_instructions && fault->when < first) {
-            first = fault->when;
+        if (!is_done && !fault->counts_instructions) {
+            first = sooner(first, fault->when);
         }
     }
+    chip->probe_from = probe_from;
     mcs52_schedule(chip, EVENT_FAULT, first);
 }
 
 /* At the begin of an instruction: all faults whose time has come, and each stuck bit again. */
 void mcs52_faults_strike(struct mcs52 *chip)
 {
+    bool is_changed = false;
+
     for (int i = 0; i < chip->fault_count; i++) {
         const struct mcs52_fault *fault = &chip->faults[i];
         bool is_due;
@@ -94,17 +102,21 @@ void mcs52_faults_strike(struct mcs52 *chip)
         if (!is_of_bit(fault)) {
             if (chip->fault_next[i] <= chip->now) {
                 chip->fault_next[i] = mcs52_upset(chip, fault);
+                is_changed = true;
             }
             continue;
         }
         is_due = (fault->counts_instructions ? chip->instructions : chip->now) >= fault->when;
 
         if (is_due && (fault->kind != MCS52_FLIP || !chip->fault_done[i])) {
+            is_changed |= !chip->fault_done[i];
             chip->fault_done[i] = true;
             force(chip, fault);
         }
     }
-    plan(chip);
+    if (is_changed) {
+        plan(chip);
+    }
 }
 
 static bool is_pin(unsigned address)

@@ -193,7 +193,7 @@ struct mcs52 {
     bool fault_done[MCS52_FAULTS];
     uint64_t fault_next[MCS52_FAULTS]; /* of one that is not of a bit: what it does next */
     int fault_count;
-    bool probes_faults;   /* one sticks, or waits for an instruction count */
+    uint64_t probe_from;  /* from here on one sticks, or may wait for an instruction count */
     uint32_t xdata_watch; /* 10000h: none */
     enum mcs52_part part;
     struct mcs52_outside outside;
@@ -225,7 +225,6 @@ void mcs52_schedule(struct mcs52 *chip, enum event event, uint64_t cycle);
 void mcs52_attend(struct mcs52 *chip); /* look at everything at the next instruction */
 void mcs52_catch_up(struct mcs52 *chip, uint64_t through);
 bool mcs52_boundary(struct mcs52 *chip); /* true: an instruction comes next */
-void mcs52_probe(struct mcs52 *chip);
 void mcs52_power_down(struct mcs52 *chip, uint64_t end);
 void mcs52_wake(struct mcs52 *chip, uint64_t cycle);
 

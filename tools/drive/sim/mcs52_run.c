@@ -140,7 +140,7 @@ bool mcs52_boundary(struct mcs52 *chip)
 
 static bool is_probed(const struct mcs52 *chip)
 {
-    return chip->covered != NULL || chip->probes_faults;
+    return chip->covered != NULL || chip->probe_from < chip->until;
 }
 
 uint64_t mcs52_run(struct mcs52 *chip, uint64_t until)
@@ -167,17 +167,6 @@ void mcs52_stop(struct mcs52 *chip)
 {
     chip->stop = true;
     mcs52_attend(chip);
-}
-
-/* Before each instruction of a chip that is looked at more closely. */
-void mcs52_probe(struct mcs52 *chip)
-{
-    if (chip->probes_faults) {
-        mcs52_faults_strike(chip);
-    }
-    if (chip->covered != NULL) {
-        chip->covered[chip->pc >> 3] |= (uint8_t)(1u << (chip->pc & 7));
-    }
 }
 
 /* --- power-down --------------------------------------------------------------------------- */
