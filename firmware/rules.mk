@@ -75,7 +75,7 @@ endef
 # The stamp changes when a setting does, so that objects of other settings are never linked.
 define image_rules
 $(OUT)/$(1)/image.stamp: FORCE
-	$$(folder)
+	$$(if $$(wildcard $$(@D)/.),,@mkdir -p $$(sort $$(dir $$($(1)_MODULES:%=$(OUT)/$(1)/%))))
 	@echo '$(settings_of)' | cmp -s - $$@ || { rm -f $(OUT)/$(1).ihx $(OUT)/$(1).hex; echo '$(settings_of)' >$$@; }
 $(OUT)/$(1)/lut_table.h: $$($(1)_TABLE) build/fistab $(OUT)/$(1)/image.stamp
 	$$(folder)

@@ -11,25 +11,26 @@
 set -u
 
 run_suite() {
-    local suite=$1 log status good bad skipped cpu TIMEFORMAT='%U %S'
+    local suite=$1 log status good bad skipped seconds cpu TIMEFORMAT='%U %S'
     log=$(mktemp)
-    cpu=$(mktemp)
     # stdin is an empty file: a suite never waits for a terminal.
-    { time bash -c "$suite" >"$log" 2>&1 </dev/null; } 2>"$cpu"
+    cpu=$({ time bash -c "$suite" >"$log" 2>&1 </dev/null; } 2>&1)
     status=$?
-    good=$(grep -acE '^[^ ].*:[0-9]+:.*:PASS$' "$log")
-    bad=$(grep -acE '^[^ ].*:[0-9]+:.*:FAIL' "$log")
-    skipped=$(grep -aE '^[^ ].*:[0-9]+:.*:IGNORE' "$log")
-    [ -z "$skipped" ] || echo "$skipped"
-    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$good$skipped" = 0 ]; }; then
+    read -r good bad skipped seconds < <(awk -v cpu="$cpu" '
+        /^[^ ].*:[0-9]+:.*:PASS$/ { good++ }
+        /^[^ ].*:[0-9]+:.*:FAIL/ { bad++ }
+        /^[^ ].*:[0-9]+:.*:IGNORE/ { skipped++ }
+        END { n = split(cpu, part, " "); printf "%d %d %d %.1f\n", good, bad, skipped, part[n - 1] + part[n] }' "$log")
+    [ "$skipped" -eq 0 ] || grep -aE '^[^ ].*:[0-9]+:.*:IGNORE' "$log"
+    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ $((good + skipped)) -eq 0 ]; }; then
         bad=1
         echo "$suite:0:suite:FAIL: exit status $status after $good cases; its last lines:"
         tail -n 40 "$log"
     elif [ "$bad" -ne 0 ]; then
         grep -avE ':PASS$' "$log"
     fi
-    printf '%5d passed %3d failed %6.1f s  %s\n' "$good" "$bad" "$(awk '{ print $1 + $2 }' "$cpu")" "$suite"
-    rm -f "$log" "$cpu"
+    printf '%5d passed %3d failed %6.1f s  %s\n' "$good" "$bad" "$seconds" "$suite"
+    rm -f "$log"
 }
 export -f run_suite
 

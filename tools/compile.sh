@@ -26,7 +26,7 @@ if [ -n "${SDCPP:-}" ]; then
     for flag; do
         case $flag in -D* | -U* | -I*) macros="$macros '$flag'" ;; esac
     done
-    text=$(eval "$SDCPP $macros -C '$source'")
+    text=$(eval "exec $SDCPP $macros -C '$source'")
 else
     text=$("$@" -Wp,-C -E "$source")
 fi
@@ -44,20 +44,20 @@ set -- $sums "$@"
 kept=build/objects/$1-$3
 shift 4
 if [ ! -d "$kept" ]; then
-    new=$(mktemp -d -p build kept.XXXXXX)
-    mkdir "$new/kept"
-    "$@" -c "$source" -o "$new/kept/$name"
-    tools/no_atomics.sh "$new/kept/$name"
-    # shellcheck disable=SC2046  # one word each
-    changed=$(find $(sed 's/^[^ ]*: //; s/\\$//' "$depends") -newer "$depends")
+    new=$kept.$$
+    mkdir -p "$new"
+    "$@" -c "$source" -o "$new/$name"
+    tools/no_atomics.sh "$new/$name"
+    # shellcheck disable=SC2162  # a backslash at a line's end joins the next one
+    read _ headers <"$depends"
+    # shellcheck disable=SC2086  # one word each
+    changed=$(exec find $headers -newer "$depends")
     if [ -n "$changed" ]; then
         echo "$changed: error: changed while $source was compiled; run make again" >&2
         exit 1
     fi
-    mkdir -p build/objects
     # Another process may have compiled the same meanwhile.
-    mv -T "$new/kept" "$kept" 2>/dev/null || [ -d "$kept" ]
+    mv -T "$new" "$kept" 2>/dev/null || { [ -d "$kept" ] && rm -r "$new"; }
 fi
 cp "$kept"/* "$folder"
 trap - EXIT
-[ -z "$new" ] || rm -r "$new"

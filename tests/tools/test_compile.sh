@@ -35,7 +35,7 @@ calls() {
     grep -c compiled calls
 }
 kept() { # all that is there of objects, whole or not
-    find build -mindepth 1 -maxdepth 2 \( -path 'build/objects/*' -o -name 'kept.*' \) | wc -l
+    find build/objects -mindepth 1 -maxdepth 1 | wc -l
 }
 await_calls() { # NUMBER
     for _ in $(seq 600); do

@@ -132,7 +132,8 @@ static size_t overlap(const struct shape *a, const struct shape *b)
     for (size_t count = most > 0 ? most - 1 : 0; count > 0; count--) {
         const uint8_t *end = a->difference + a->length - count;
 
-        if (*end == *b->difference && memcmp(end, b->difference, count) == 0) {
+        if (*end == *b->difference && end[count - 1] == b->difference[count - 1] &&
+            memcmp(end, b->difference, count) == 0) {
             return count;
         }
     }
@@ -199,9 +200,8 @@ static bool join_shapes(struct plan *plan)
     }
     for (size_t count = most; count > 0; count--) {
         for (size_t i = 0; i < plan->shape_count; i++) {
-            for (size_t j = 0; j < plan->shape_count; j++) {
-                if (next[i] == BYTE_VALUES && overlaps[i][j] == count && !follows[j] &&
-                    !same_chain(next, j, i)) {
+            for (size_t j = 0; j < plan->shape_count && next[i] == BYTE_VALUES; j++) {
+                if (overlaps[i][j] == count && !follows[j] && !same_chain(next, j, i)) {
                     next[i] = j;
                     known[j] = count;
                     follows[j] = true;
