@@ -16,7 +16,7 @@ scenario() { # EXPECTED...
 [scenario]
 title = A timer is wrong
 duration_s = 4
-hold_s = 0.5
+hold_s = 0.2
 event_s = 0.835
 
 [ego]
