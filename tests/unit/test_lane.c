@@ -3,6 +3,7 @@
  * 3.75 m, so the lane centre's radius is 501.875 m. */
 #include "lane.h"
 #include <stddef.h>
+#include "sweep.h"
 #include "unity.h"
 
 #ifndef __SDCC_mcs51
@@ -129,7 +130,7 @@ static void test_verdicts_are_those_of_the_formula(void)
 
     for (unsigned c = 0; c < sizeof curvatures_upm / sizeof *curvatures_upm; c++) {
         for (uint16_t range_cm = 100; range_cm <= LANE_RANGE_MAX_CM;
-             range_cm = (uint16_t)(range_cm + 598)) {
+             range_cm = (uint16_t)(range_cm + 598 * SWEEP)) {
             if ((double)range_cm * curvatures_upm[c] < 0.67e8) {
                 expect_verdicts(range_cm, curvatures_upm[c], LANE_AZIMUTH_MAX_TURN16);
             }
@@ -141,7 +142,7 @@ static void test_verdicts_are_those_of_the_formula(void)
 static void test_a_target_ahead_leaves_the_lane_where_the_bend_does(void)
 {
     for (int16_t curvature_upm = 40; curvature_upm < 100; curvature_upm++) {
-        for (uint16_t range_cm = 18000; range_cm <= LANE_RANGE_MAX_CM; range_cm++) {
+        for (uint16_t range_cm = 18000; range_cm <= LANE_RANGE_MAX_CM; range_cm += SWEEP) {
             expect_verdicts(range_cm, curvature_upm, 1);
         }
     }

@@ -403,7 +403,7 @@ static int64_t next_change_ns(const struct car *car)
         const double marks_s[] = {car->targets[i].lead.appears_s, car->targets[i].lead.leaves_s};
 
         for (int k = 0; k < 2; k++) {
-            int64_t mark_ns = marks_s[k] < 0 ? 0 : (int64_t)llround(marks_s[k] * 1e9);
+            int64_t mark_ns = (int64_t)llround(marks_s[k] * 1e9);
 
             if (mark_ns > car->now_ns && mark_ns < first) {
                 first = mark_ns;

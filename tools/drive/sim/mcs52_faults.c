@@ -80,7 +80,8 @@ static void plan(struct mcs52 *chip)
             continue;
         }
         if (fault->kind != MCS52_FLIP || (fault->counts_instructions && !is_done)) {
-            probe_from = sooner(probe_from, fault->counts_instructions ? 0 : fault->when);
+            /* An instruction takes a cycle at least, so no count of them comes sooner. */
+            probe_from = sooner(probe_from, fault->when);
         }
         if (!is_done && !fault->counts_instructions) {
             first = sooner(first, fault->when);
@@ -93,8 +94,6 @@ static void plan(struct mcs52 *chip)
 /* At the begin of an instruction: all faults whose time has come, and each stuck bit again. */
 void mcs52_faults_strike(struct mcs52 *chip)
 {
-    bool is_changed = false;
-
     for (int i = 0; i < chip->fault_count; i++) {
         const struct mcs52_fault *fault = &chip->faults[i];
         bool is_due;
@@ -102,21 +101,17 @@ void mcs52_faults_strike(struct mcs52 *chip)
         if (!is_of_bit(fault)) {
             if (chip->fault_next[i] <= chip->now) {
                 chip->fault_next[i] = mcs52_upset(chip, fault);
-                is_changed = true;
             }
             continue;
         }
         is_due = (fault->counts_instructions ? chip->instructions : chip->now) >= fault->when;
 
         if (is_due && (fault->kind != MCS52_FLIP || !chip->fault_done[i])) {
-            is_changed |= !chip->fault_done[i];
             chip->fault_done[i] = true;
             force(chip, fault);
         }
     }
-    if (is_changed) {
-        plan(chip);
-    }
+    plan(chip);
 }
 
 static bool is_pin(unsigned address)
