@@ -158,6 +158,8 @@ faultless a_link_stays_a_link "$([ -L "$out/to_nothing.h" ] || echo 'no link any
 chmod 640 "$out/plain_target.h"
 check a_link_to_a_file $fistab table tables/brake.fis -o "$out/to_nothing.h"
 faultless a_file_keeps_its_mode "$([ "$(stat -c %a "$out/plain_target.h")" = 640 ] || stat -c %a "$out/plain_target.h")"
+(cd "$out" && "$OLDPWD/$fistab" table "$OLDPWD/tables/brake.fis" -o - >minus.h)
+faultless a_minus_is_stdout "$(cmp "$out/plain.h" "$out/minus.h" 2>&1; [ ! -e "$out/-" ] || echo 'a file of that name')"
 { echo before; $fistab table tables/brake.fis -o /dev/stdout; echo after; } >"$out/stdout.h"
 faultless dev_stdout_is_stdout "$({ echo before; cat "$out/plain.h"; echo after; } | cmp - "$out/stdout.h"; [ -L /dev/stdout ] || echo 'no link any more')"
 check descriptor_3 bash -c "$fistab table tables/brake.fis -o /dev/fd/3 3>'$out/three.h' && cmp '$out/plain.h' '$out/three.h'"

@@ -98,12 +98,12 @@ static void clear_pending(const char *temporary)
     }
 }
 
-/* The descriptor that PATH names, as /dev/stdout and /dev/fd/7 do; -1 if it names none. */
+/* The descriptor that PATH names, as -, /dev/stdout and /dev/fd/7 do; -1 if it names none. */
 static int descriptor_of(const char *path)
 {
     static const char *const folder[] = {"/dev/fd/", "/proc/self/fd/"};
 
-    if (strcmp(path, "/dev/stdout") == 0) {
+    if (strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0) {
         return STDOUT_FILENO;
     }
     if (strcmp(path, "/dev/stderr") == 0) {

@@ -26,7 +26,7 @@ void diag_warning(const char *file, int line, const char *format, ...)
 /* A file that appears whole or not at all: it is written beside its place under a temporary name,
  * which is removed also when a signal ends the program. Links in the name are followed and stay
  * links. A file that is replaced keeps its mode. A device, a pipe, /dev/stdout or /dev/fd/N is
- * written as it is. */
+ * written as it is; - is stdout, and ./- a file of that name. */
 struct outfile {
     FILE *stream;
     char *path;      /* as the user gave it, for messages */

@@ -251,7 +251,8 @@ double mf_degree(enum mf_kind kind, const double *p, size_t count, double x)
     case MF_COSINEMF:
         return cosine(x, p[0], p[1]);
     case MF_SPIKEMF:
-        return exp(-fabs(10 / p[1] * (x - p[0])));
+        /* 10 / width may be infinite, and infinity times 0 is no number. */
+        return x == p[0] ? 1 : exp(-fabs(10 / p[1] * (x - p[0])));
     default:
         return 0;
     }
