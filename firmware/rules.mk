@@ -57,10 +57,11 @@ SDCC_FLAGS = --i-code-in-asm -DCLK_HZ=$(CLK_HZ)UL -DWATCHDOG_$(WATCHDOG) -DESTIM
 # The identity of an image without its table (identity.h).
 identity_of  = fuzzy51 $(VERSION) $(if $(filter $(1),$(controller_of)),$(1),$(controller_of)/$(1)) $(BOARD) $(CLK_HZ) Hz$(foreach sensor,$(filter-out hcsr04,$(ALL_SENSORS)),$(if $(filter mcu/$(sensor),$($(1)_MODULES)), $(sensor)))
 SDCC_LINK   := --code-size $(CODE_BYTES) --iram-size $(IRAM_BYTES) --xram-size 0
-# All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
 SDCC_VERSION := $(shell sdcc --version 2>/dev/null | head -n 1 | tr -cd '[:alnum:]. ')
+# How SDCC calls its preprocessor, for tools/compile.sh; empty if SDCC does not say.
 SDCPP := $(shell $(SDCC) -V -E firmware/lib/mul_u16.c 2>&1 | sed -n 's|^+ *\(.*sdcpp.*\) "*firmware/lib/mul_u16\.c"* *$$|\1|p')
 export SDCC_VERSION SDCPP
+# All that decides on an image beside its sources: knobs, flags, modules, who it is, the compiler.
 settings_of  = $(subst ',,$(SDCC_VERSION) $(SDCC) $(SDCC_FLAGS) $(SDCC_LINK) $($(1)_FLAGS) $($(1)_TABLE) $($(1)_FISTAB) $($(1)_MODULES) \
     $($(1)_CYCLES) $(identity_of) $(IDENTITY_AT))
 

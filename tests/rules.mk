@@ -12,7 +12,8 @@ include tests/unit/rules.mk $(filter-out tests/unit/rules.mk,$(wildcard tests/*/
 # ENGINE names another.
 LOOP_FOLDERS := $(patsubst tests/loop/%/,%,$(wildcard tests/loop/*/))
 BRAKE_LOOPS  := $(filter $(IMAGES_OF_brake),$(filter $(ALL_IMAGES),$(LOOP_FOLDERS)))
-OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) long ten_minutes,$(LOOP_FOLDERS))
+LONG_LOOPS   := long ten_minutes
+OTHER_LOOPS  := $(filter-out $(IMAGES_OF_brake) $(LONG_LOOPS),$(LOOP_FOLDERS))
 OTHER_BOARDS := $(filter-out $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
 ON_DEFAULT   := $(filter $(DEFAULT_BOARD),$(or $(BOARD),$(BOARDS)))
 LAW_BOARD    := $(or $(BOARD),$(DEFAULT_BOARD))
@@ -35,14 +36,14 @@ TEST_SUITES  := $(ON_DEFAULT:%='ENGINE=$(or $(ENGINE),s51) tests/run_loop.sh %')
 # drives of `make attack`; the long run of chip against host.
 ENGINE_TESTS  = $(shell grep -lE 'build/drive|run_image|lut/run|chip/lib' $(SHELL_TESTS))
 LONG_SUITES   = $(LONG_TESTS) 'ATTACK_RUNS=$(ATTACK_RUNS) tests/tools/test_trouble.sh' \
-    $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far tests/loop/long tests/loop/ten_minutes') \
+    $(if $(filter brake_far,$(BRAKE_LOOPS)),'tests/run_otherwise.sh $(LAW_BOARD) brake_far $(LONG_LOOPS:%=tests/loop/%)') \
     $(ENGINE_TESTS:%='ENGINE=s51 %') $(CHIP_TESTS:%='ENGINE=s51 tests/run_chip.sh %') \
     $(OTHER_BOARDS:%='tests/compare_engines.sh %') \
-    $(if $(ON_DEFAULT),$(patsubst %,'tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%',$(OTHER_LOOPS) long ten_minutes)) \
+    $(if $(ON_DEFAULT),$(patsubst %,'tests/compare_engines.sh $(DEFAULT_BOARD) tests/loop/%',$(OTHER_LOOPS) $(LONG_LOOPS))) \
     $(OTHER_BOARDS:%='ENGINE=fast tests/run_loop.sh % tests/loop/ten_minutes') \
     $(foreach law,$(filter-out brake,$(BRAKE_LOOPS)),'APP=$(law) tests/compare_engines.sh $(LAW_BOARD) tests/loop/$(law)') \
     'IMAGE=build/smooth/brake.ihx tests/compare_engines.sh $(DEFAULT_BOARD)' \
-    $(patsubst %,'ENGINE=fast IMAGE=build/smooth/brake.ihx tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%',long ten_minutes) $(STEPS_LONG_SUITES)
+    $(patsubst %,'ENGINE=fast IMAGE=build/smooth/brake.ihx tests/run_loop.sh $(DEFAULT_BOARD) tests/loop/%',$(LONG_LOOPS)) $(STEPS_LONG_SUITES)
 
 # `make unit TEST=NAME` runs one file, tests/unit/test_NAME.c or tests/tools/test_NAME.c; without TEST
 # those of tests/unit.
